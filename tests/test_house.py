@@ -66,7 +66,7 @@ def test_no_modules_import_each_other_in_a_circle_not_even_for_types() -> None:
 
 def test_the_usual_function_is_a_few_lines() -> None:
     assert median(lines(f) for path in MODULES for f in functions(path)) <= 10
-    assert median(len(path.read_text("utf-8").splitlines()) for path in MODULES) <= 200
+    assert median(len(path.read_text("utf-8").splitlines()) for path in MODULES) <= 150
 
 
 def test_what_questions_are_made_of_has_one_name_each() -> None:

@@ -90,7 +90,7 @@ _HOMES = {
     "train": "training.train",
     "verify": "datasets.verify",
 }
-"""The modules of the public names, each with the name there after a colon if that is different."""
+"""Module of each public name; after a colon, the name in that module where it differs."""
 
 __all__ = [
     "Certificate",

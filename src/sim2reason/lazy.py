@@ -20,7 +20,7 @@ class cached_property(functools.cached_property[T]):  # noqa: N801 - it stands f
     @overload
     def __get__(self, instance: object, owner: type[Any] | None = None) -> T: ...
     def __get__(self, instance: object, owner: type[Any] | None = None) -> "cached_property[T] | T":
-        """The value, which from then on is found without this."""
+        """Return the value, which from then on is found without this."""
         if instance is None:
             return self
         value = self.func(instance)

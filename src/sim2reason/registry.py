@@ -1,4 +1,4 @@
-"""One class for every kind of thing that can be added by one new file."""
+"""The registry of the members of one kind, such as entities or filters, filled from its package and entry points."""
 
 from collections.abc import Callable, ItemsView, Iterable, Iterator, Mapping, ValuesView
 from difflib import SequenceMatcher, get_close_matches
@@ -77,7 +77,7 @@ class Registry(Mapping[str, T], Generic[T]):
             raise UnknownNameError(f"no such name among {self.called}: {_shown(name)}; {self._hint(name)}") from None
 
     def _hint(self, name: object) -> str:
-        """What is near to an unknown name; where nothing is, all that there is, or how to see it."""
+        """Return what is near to an unknown name; where nothing is, all that there is, or how to see it."""
         meant = {other: held for held, member in self._members.items() for other in getattr(member, "also", ())}
         names = [*self._members, *meant]
         near = nearest(name.lower(), names) if isinstance(name, str) else []
@@ -111,7 +111,7 @@ class Registry(Mapping[str, T], Generic[T]):
         return self._all().items()
 
     def __len__(self) -> int:
-        """How many members there are."""
+        """Return how many members there are."""
         return len(self._all())
 
 
@@ -128,7 +128,7 @@ def further_members() -> dict[str, tuple[str, ...]]:
 
 
 def nearest(name: str, names: Iterable[str], most: int = 3) -> list[str]:
-    """What `name` could be a slip for: the names like it, the nearest first, and none that is much farther."""
+    """Return what `name` could be a slip for: the names like it, the nearest first, and none that is much farther."""
     found = get_close_matches(name, names, n=most) if len(name) <= LONGEST else []
     return [other for other in found if _likeness(name, other) >= AS_NEAR * _likeness(name, found[0])]
 
@@ -138,7 +138,7 @@ def _likeness(name: str, other: str) -> float:
 
 
 def _shown(name: object) -> str:
-    """A name in quotes, or the beginning of a long one."""
+    """Return a name in quotes, or the beginning of a long one."""
     text = repr(name)
     return text if len(text) <= LONGEST else f"{text[:LONGEST]}…"
 

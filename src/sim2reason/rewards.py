@@ -54,7 +54,7 @@ def ground_truth(right: Item | Answer | Letter) -> str:
 
 
 def answered(right: Item) -> str:
-    """The right answer as somebody would write it: the formula, or the number to six digits in the asked unit.
+    """Return the right answer as somebody would write it: the formula, or the number to six digits in the asked unit.
 
     Of a problem with several parts, all answers with their labels; of one with options, the letter.
     """
@@ -70,7 +70,7 @@ def _written(answer: Answer) -> str:
 
 
 def boxed(answer: str) -> str:
-    """An answer as the grader looks for it: in a box, unless there is one in it already."""
+    """Return an answer as the grader looks for it: in a box, unless there is one in it already."""
     return answer if r"\boxed" in answer else rf"\boxed{{{answer}}}"
 
 

@@ -61,12 +61,12 @@ class Benchmark(BaseModel, ABC):
 
     @property
     def pure(self) -> bool:
-        """Whether the settings, and the version of the library, decide the problems: no file does."""
+        """Return whether the settings, and the version of the library, decide the problems: no file does."""
         return False
 
     @abstractmethod
     def problems(self) -> Iterable[BenchmarkItem]:
-        """All problems, in order.
+        """Return all problems, in order.
 
         Raises:
             EvaluationError: a file that is missing, damaged, or holds something else.
@@ -77,7 +77,7 @@ BENCHMARKS: Registry[type[Benchmark]] = Registry("benchmarks")
 
 
 def benchmark_from(settings: Mapping[str, object], place: str = "benchmark") -> Benchmark:
-    """The benchmark that settings describe; its `kind` is a registered name.
+    """Return the benchmark that settings describe; its `kind` is a registered name.
 
     Raises:
         EvaluationError: a setting that is unknown, missing or makes no sense.
@@ -87,7 +87,7 @@ def benchmark_from(settings: Mapping[str, object], place: str = "benchmark") -> 
 
 
 def items_of(benchmark: Benchmark) -> list[BenchmarkItem]:
-    """The problems of a benchmark, counted and each with an id of its own.
+    """Return the problems of a benchmark, counted and each with an id of its own.
 
     Raises:
         EvaluationError: none, another number than expected, or the same id twice.
@@ -109,7 +109,7 @@ def items_of(benchmark: Benchmark) -> list[BenchmarkItem]:
 
 
 def data_hash(items: Iterable[BenchmarkItem]) -> str:
-    """A hash of all that is asked and of all answers."""
+    """Return a hash of all that is asked and of all answers."""
     digest = sha256()
     for item in items:
         digest.update(canonical(item.model_dump(mode="json")).encode(errors="replace"))

@@ -36,7 +36,7 @@ class Saved(Benchmark):
     """A .jsonl file such as RUN/problems/BENCHMARK.jsonl."""
 
     def problems(self) -> Iterator[BenchmarkItem]:
-        """Those of the file, in its order."""
+        """Yield those of the file, in its order."""
         for number, row in enumerate(rows(self.file)):
             try:
                 yield BenchmarkItem.model_validate(row)
@@ -49,7 +49,7 @@ DRAWN = 100
 
 
 def benchmark_item(item: Item, *, lenient: bool = False) -> BenchmarkItem:
-    """An item of ours as a benchmark has it: scored by our grader, and tagged by all that reports group by."""
+    """Return an item of ours as a benchmark has it: scored by our grader, and tagged by all that reports group by."""
     tags = {
         "recipe": (item.recipe,),
         "difficulty": (item.difficulty,),
@@ -88,7 +88,7 @@ class Synthetic(Chosen, Benchmark):
 
     @property
     def pure(self) -> bool:
-        """Where problems are drawn."""
+        """Return where problems are drawn."""
         return self.seed is not None
 
     def problems(self) -> Iterator[BenchmarkItem]:

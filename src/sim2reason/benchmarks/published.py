@@ -33,11 +33,11 @@ class HiPhOFile(FileBenchmark):
 
     @property
     def column_of_subject(self) -> str:
-        """Where a row has its field of physics."""
+        """Return where a row has its field of physics."""
         return "field"
 
     def needs_figure(self, row: Row) -> bool:
-        """Where a figure is more than an illustration."""
+        """Return where a figure is more than an illustration."""
         return row.get("modality") not in TEXT
 
     def problem(self, row: Row, number: int) -> BenchmarkItem | None:
@@ -130,11 +130,11 @@ class OlympiadBenchFile(FileBenchmark):
 
     @property
     def column_of_subject(self) -> str:
-        """Where a row has its field of physics."""
+        """Return where a row has its field of physics."""
         return "subfield"
 
     def needs_figure(self, row: Row) -> bool:
-        """Where the text or the context has a picture."""
+        """Return where the text or the context has a picture."""
         said = f"{row.get('question', '')}{row.get('context') or ''}"
         return any(mark in said for mark in FIGURES) or any(key.startswith("image_") and row[key] for key in row)
 

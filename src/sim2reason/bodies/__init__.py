@@ -1,4 +1,4 @@
-"""The bodies that entities are made of, one file each."""
+"""The bodies that entities are made of, in modules by theme."""
 
 from sim2reason.dsl.body import BODIES
 

@@ -48,7 +48,7 @@ class Plane(Body):
     }
 
     def directions(self) -> tuple[Vector, Vector]:
-        """The unit vectors up the slope, which rises to the right, and out of the plane."""
+        """Return the unit vectors up the slope, which rises to the right, and out of the plane."""
         slope = radians(self.angle)
         return (cos(slope), 0.0, sin(slope)), (-sin(slope), 0.0, cos(slope))
 
@@ -95,7 +95,7 @@ class Incline(Body):
     }
 
     def directions(self) -> tuple[Vector, Vector]:
-        """The unit vectors up the slope, which rises to the right, and out of the plane."""
+        """Return the unit vectors up the slope, which rises to the right, and out of the plane."""
         return Plane(angle=self.angle, friction=0.0).directions()
 
     @property

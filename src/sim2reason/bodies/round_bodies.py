@@ -22,7 +22,20 @@ from sim2reason.dsl.solids import (
     rod,
     sphere_surface,
 )
-from sim2reason.dsl.solids import disc as thin_disc
+
+
+def _introductions(first: str, second: str, lettered: str = "") -> tuple[tuple[str, str], tuple[str, str]]:
+    """Return the templates that introduce a body by its radius and mass, without and with a letter.
+
+    `first` and `second` are the adjectives of two wordings; the second wording with a letter has `lettered` if given.
+    """
+    size = "of radius {radius} and mass {mass}"
+    lone = f"a {first} {{noun}} {size}", f"a {second} {{noun}} of mass {{mass}} and radius {{radius}}"
+    named = (
+        f"a {first} {{noun}} {{letter}} {size}",
+        f"a {lettered or second} {{noun}} {{letter}} (radius {{radius}}, mass {{mass}})",
+    )
+    return lone, named
 
 
 @body
@@ -66,14 +79,7 @@ class Roller(Shape):
     radius: Radius
 
     nouns = ("cylinder", "roller")
-    lone = (
-        "a uniform solid {noun} of radius {radius} and mass {mass}",
-        "a solid uniform {noun} of mass {mass} and radius {radius}",
-    )
-    named = (
-        "a uniform solid {noun} {letter} of radius {radius} and mass {mass}",
-        "a solid uniform {noun} {letter} (radius {radius}, mass {mass})",
-    )
+    lone, named = _introductions("uniform solid", "solid uniform")
 
     @property
     def solid(self) -> Solid:
@@ -93,19 +99,12 @@ class Disc(Shape):
     radius: Radius
 
     nouns = ("disc",)
-    lone = (
-        "a uniform thin {noun} of radius {radius} and mass {mass}",
-        "a thin uniform {noun} of mass {mass} and radius {radius}",
-    )
-    named = (
-        "a uniform thin {noun} {letter} of radius {radius} and mass {mass}",
-        "a thin uniform {noun} {letter} (radius {radius}, mass {mass})",
-    )
+    lone, named = _introductions("uniform thin", "thin uniform")
 
     @property
     def solid(self) -> Solid:
         """About its centre."""
-        return thin_disc(self.radius)
+        return disc(self.radius)
 
     @property
     def look(self) -> Axial:
@@ -120,14 +119,7 @@ class SphericalShell(Shape):
     radius: Radius
 
     nouns = ("shell",)
-    lone = (
-        "a thin spherical {noun} of radius {radius} and mass {mass}",
-        "a uniform thin spherical {noun} of mass {mass} and radius {radius}",
-    )
-    named = (
-        "a thin spherical {noun} {letter} of radius {radius} and mass {mass}",
-        "a thin spherical {noun} {letter} (radius {radius}, mass {mass})",
-    )
+    lone, named = _introductions("thin spherical", "uniform thin spherical", "thin spherical")
 
     @property
     def solid(self) -> Solid:
@@ -187,14 +179,7 @@ class Hoop(Shape):
     radius: Radius
 
     nouns = ("hoop", "ring")
-    lone = (
-        "a thin {noun} of radius {radius} and mass {mass}",
-        "a thin uniform {noun} of mass {mass} and radius {radius}",
-    )
-    named = (
-        "a thin {noun} {letter} of radius {radius} and mass {mass}",
-        "a thin uniform {noun} {letter} (radius {radius}, mass {mass})",
-    )
+    lone, named = _introductions("thin", "thin uniform")
 
     @property
     def solid(self) -> Solid:
@@ -217,14 +202,7 @@ class Pipe(Shape):
     radius: Radius
 
     nouns = ("pipe", "tube")
-    lone = (
-        "a thin-walled {noun} of radius {radius} and mass {mass}",
-        "a thin-walled {noun} of mass {mass} and radius {radius}",
-    )
-    named = (
-        "a thin-walled {noun} {letter} of radius {radius} and mass {mass}",
-        "a thin-walled {noun} {letter} (radius {radius}, mass {mass})",
-    )
+    lone, named = _introductions("thin-walled", "thin-walled")
 
     @property
     def solid(self) -> Solid:
@@ -284,14 +262,7 @@ class Sphere(Shape):
 
     bulky = True
     nouns = ("sphere",)
-    lone = (
-        "a uniform solid {noun} of radius {radius} and mass {mass}",
-        "a solid uniform {noun} of mass {mass} and radius {radius}",
-    )
-    named = (
-        "a uniform solid {noun} {letter} of radius {radius} and mass {mass}",
-        "a solid uniform {noun} {letter} (radius {radius}, mass {mass})",
-    )
+    lone, named = _introductions("uniform solid", "solid uniform")
 
     @property
     def solid(self) -> Solid:

@@ -60,7 +60,7 @@ class StartingPlace(Body):
 
     @property
     def look(self) -> BodyLook:
-        """What the rocket stands on is drawn below it, if it does."""
+        """Return no look of its own: the figure draws the ground below the rocket."""
         return Unseen()
 
 

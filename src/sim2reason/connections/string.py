@@ -71,16 +71,16 @@ class String(Connection):
 
     @classmethod
     def between(cls, *stops: tuple[str, StringPort]) -> Self:
-        """A string through ports of named entities: ``between(("a", Ramp.right), ("b", Hook.end))``."""
+        """Return a string through ports of named entities: ``between(("a", Ramp.right), ("b", Hook.end))``."""
         return cls(links=tuple(Link(entity=name, port=port.name) for name, port in stops))
 
     @property
     def spacing(self) -> float:
-        """How long it is between neighbours at the start, m."""
+        """Return how long it is between neighbours at the start, m."""
         return self.free
 
     def brings(self, joint: Joint, builder: Builder) -> dict[str, Body]:
-        """The light fixed pulleys that it brings, in the order of travel."""
+        """Return the light fixed pulleys that it brings, in the order of travel."""
         count = sum(turn is not None for turn in turns(joint.stops, builder))
         return {f"{joint.name}.pulley{number}": FixedPulley() for number in range(1, count + 1)}
 
@@ -114,7 +114,7 @@ class String(Connection):
         return SentenceParser(name, matcher, routes).sentence(place, state)
 
     def describe(self, joint: Joint, writer: SentenceWriter) -> str:
-        """Its one sentence: what it is tied to, what it passes, where it ends."""
+        """Return its one sentence: what it is tied to, what it passes, where it ends."""
         name = joint.name
         stops = max(joint.stops, reversed_path(joint.stops), key=lambda path: _worth(path[0]))
         first = stops[0]
@@ -137,14 +137,14 @@ class String(Connection):
 
 
 def clause(port: SitePort, way: str = OVER) -> str:
-    """The verb phrase with which a string comes to a port; `way` is how it goes by a pulley fixed there."""
+    """Return the verb phrase with which a string comes to a port; `way` is how it goes by a pulley fixed there."""
     if isinstance(port, Pass):
         return way + port.passes.removeprefix(OVER) if port.passes.startswith(OVER) else port.passes
     return port.arrives if isinstance(port, StringEnd) else ""
 
 
 def passed_by(stops: Sequence[Stop], index: int, builder: Builder) -> str:
-    """How a string goes by a pulley of a stop: where its sides may point anywhere, its neighbours tell."""
+    """Return how a string goes by a pulley of a stop: where its sides may point anywhere, its neighbours tell."""
     if not isinstance(stops[index].port, Pass) or any(builder.faces[site] for site in stops[index].sites):
         return OVER
     turn = travelled_sites(stops[index - 1], first=index == 1)[-1], travelled_sites(stops[index + 1], first=False)[0]
@@ -159,18 +159,18 @@ def string_names(sentences: Iterable[str]) -> tuple[str, ...]:
 
 
 def _worth(stop: Stop) -> int:
-    """How well a sentence begins here: best at what moves, not at all at a hand."""
+    """Return how well a sentence begins here: best at what moves, not at all at a hand."""
     port = stop.port
     return bool(port.tied) + bool(port.leaves) if isinstance(port, StringEnd) else 0
 
 
 def travelled_sites(stop: Stop, *, first: bool) -> tuple[str, ...]:
-    """The sites of a stop in the order of travel; an end is listed from the inside out."""
+    """Return the sites of a stop in the order of travel; an end is listed from the inside out."""
     return stop.sites if first or not isinstance(stop.port, StringEnd) else stop.sites[::-1]
 
 
 def reversed_path(stops: Sequence[Stop]) -> tuple[Stop, ...]:
-    """The same path from its other end."""
+    """Return the same path from its other end."""
     return tuple(
         Stop(s.owner, s.port, s.flipped if isinstance(s.port, StringEnd) else not s.flipped) for s in reversed(stops)
     )
@@ -206,7 +206,7 @@ def joined(verbs: list[str]) -> str:
 
 
 def after(before: str, verb: str) -> str:
-    """A verb phrase as it is said after another one."""
+    """Return a verb phrase as it is said after another one."""
     for (one, other), onward in ONWARD.items():
         if before.startswith(one) and verb.startswith(other):
             return onward + verb.removeprefix(other)
@@ -222,7 +222,7 @@ class SentenceParser(Generic[S]):
         self._text = self._end = ""
 
     def sentence(self, place: int, state: S) -> Iterator[ParsedSentence[S]]:
-        """All readings of the piece at `place`."""
+        """Yield all readings of the piece at `place`."""
         if place >= len(self._matcher.pieces):
             return
         self._text = self._matcher.pieces[place]
@@ -236,7 +236,7 @@ class SentenceParser(Generic[S]):
                         yield told
 
     def _opened(self, opening: str, state: S, *, hangs: bool) -> Iterator[ParsedSentence[S]]:
-        """All readings with one opening, at ends on which something hangs or at others."""
+        """Yield all readings with one opening, at ends on which something hangs or at others."""
         start, rest = opening.split("{tied}")
         between, self._end = rest.split("{verbs}")
         at = self._matcher.literal(self._text, 0, start)
@@ -244,7 +244,7 @@ class SentenceParser(Generic[S]):
             yield from self._tied(at, between, state, hangs=hangs)
 
     def _tied(self, at: int, between: str, state: S, *, hangs: bool) -> Iterator[ParsedSentence[S]]:
-        """What it is tied to, and how it leaves there."""
+        """Yield what it is tied to, and how it leaves there."""
         for leg in self._routes.legs(String, state, ()):
             stop = leg.stops[0]
             if not isinstance(stop.port, StringEnd) or not stop.port.tied or stop.port.hangs is not hangs:
@@ -261,7 +261,7 @@ class SentenceParser(Generic[S]):
     def _on(
         self, at: int, leg: Leg[S], links: tuple[Link, ...], owned: tuple[str, ...], before: str
     ) -> Iterator[ParsedSentence[S]]:
-        """The verbs from `at` on: the other stops of this leg, then of the legs to come."""
+        """Yield the verbs from `at` on: the other stops of this leg, then of the legs to come."""
         if leg.stops:
             yield from self._next(at, leg, links, owned, before)
         elif not leg.last:
@@ -273,7 +273,7 @@ class SentenceParser(Generic[S]):
     def _next(
         self, at: int, leg: Leg[S], links: tuple[Link, ...], owned: tuple[str, ...], before: str
     ) -> Iterator[ParsedSentence[S]]:
-        """The next stop, perhaps behind a pulley that the string brings."""
+        """Yield the next stop, perhaps behind a pulley that the string brings."""
         stop, rest = leg.stops[0], leg.stops[1:]
         final = leg.last and not rest
         for verb in dict.fromkeys(clause(stop.port, way) for way in WAYS):
@@ -289,7 +289,7 @@ class SentenceParser(Generic[S]):
                 yield from self._next(end, replace(leg, state=then), links, (*owned, address), passed)
 
     def _verb(self, at: int, verb: str, before: str, state: S, owner: str, *, final: bool) -> Iterator[tuple[int, S]]:
-        """One verb phrase with what joins it to the one before."""
+        """Yield one verb phrase with what joins it to the one before."""
         said, comma = (after(before, verb), " and " if final else ", ") if before else (verb, "")
         begin = self._matcher.literal(self._text, at, comma)
         if begin is None:

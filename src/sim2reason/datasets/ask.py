@@ -80,7 +80,7 @@ def ask(
 
 
 def asked(scene: Scene, mode: Names, items: int, seed: int, *, unfiltered: bool = False) -> AskedScene:
-    """The same with the scene's text, and with what was refused; modes take turns.
+    """Return the same with the scene's text, and with what was refused; modes take turns.
 
     One problem with other numbers is asked again only where there are too few others.
     """

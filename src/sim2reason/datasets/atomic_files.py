@@ -57,7 +57,7 @@ def sync(path: Path) -> None:
 
 
 def checksum(path: Path) -> str:
-    """The SHA-256 of a file, in hexadecimal; empty if it is not there."""
+    """Return the SHA-256 of a file, in hexadecimal; empty if it is not there."""
     if not path.is_file():
         return ""
     with path.open("rb") as file:

@@ -59,7 +59,7 @@ def texts(path: Path) -> Iterator[list[str]]:
 
 
 def _strings(value: object) -> Iterator[str]:
-    """All texts in a value, in order; no recursion, which a hostile file could exhaust."""
+    """Yield all texts in a value, in order; no recursion, which a hostile file could exhaust."""
     waiting = [(value, 0)]
     while waiting:
         found, depth = waiting.pop()
@@ -79,7 +79,7 @@ def _json(path: Path) -> Iterable[object]:
 
 
 def _members(value: object) -> Iterable[object]:
-    """The items of what a file holds: those of a list, or of the lists in an object that holds nothing else."""
+    """Return the items of what a file holds: those of a list, or of the lists in an object that holds nothing else."""
     if isinstance(value, list):
         return cast("list[object]", value)
     if isinstance(value, dict) and value and all(isinstance(part, list | dict) for part in value.values()):
@@ -100,7 +100,7 @@ def _json_lines(path: Path) -> Iterator[object]:
 
 
 def _paragraphs(path: Path) -> Iterator[object]:
-    """The lines between blank ones; a long paragraph is one item, though it need not be held at once."""
+    """Return the lines between blank ones; a long paragraph is one item, though it need not be held at once."""
     grouped = groupby(_lines(path), key=lambda line: bool(line.strip()))
     return ("".join(_bounded(lines)) for filled, lines in grouped if filled)
 
@@ -115,7 +115,7 @@ def _bounded(lines: Iterable[str]) -> Iterator[str]:
 
 
 def _parquet(path: Path) -> Iterator[object]:
-    """The rows, without columns that hold no text."""
+    """Yield the rows, without columns that hold no text."""
     import pyarrow as pa  # noqa: PLC0415 - heavy, and few files are of this kind
     import pyarrow.parquet as pq  # noqa: PLC0415 - the same
 

@@ -113,7 +113,7 @@ def _standing(out: Path, config: Config) -> Manifest | None:
 
 
 def _folder(out: Path | str, config: Config) -> Path:
-    """The folder, made if it is not there, once the configuration makes sense."""
+    """Return the folder, made if it is not there, once the configuration makes sense."""
     if config.weights and config.maker == MAKER:
         from sim2reason.datasets.weights import check  # noqa: PLC0415 - it loads what else only workers need
 
@@ -124,7 +124,7 @@ def _folder(out: Path | str, config: Config) -> Path:
 
 
 def _overlap(config: Config, benchmarks: Benchmarks | None) -> FindsOverlap:
-    """What finds the words that a prompt shares with a benchmark."""
+    """Return what finds the words that a prompt shares with a benchmark."""
     if config.decontaminate != (benchmarks.files if benchmarks is not None else ()):
         names = ", ".join(file.name for file in config.decontaminate)
         raise DatasetError(
@@ -134,7 +134,7 @@ def _overlap(config: Config, benchmarks: Benchmarks | None) -> FindsOverlap:
 
 
 def _workers(config: Config, work: Work) -> AbstractContextManager[Run]:
-    """Those who shall make the items, at their place; DatasetError for a number of them that is none."""
+    """Return those who shall make the items, at their place; DatasetError for a number of them that is none."""
     workers = work.get("workers")
     if workers is not None and not _counts(workers):
         raise DatasetError(f"workers: {workers!r} is no number of processes; give a whole number from 1 on, or None")

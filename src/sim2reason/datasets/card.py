@@ -114,7 +114,7 @@ def _front(manifest: Manifest) -> Iterator[str]:
 
 
 def _splits(manifest: Manifest) -> list[str]:
-    """Those that have a file; all where none has."""
+    """Return those that have a file; all where none has."""
     rows = manifest.counts.get("split", {})
     return [split for split in manifest.config.split if rows.get(split)] or [*manifest.config.split]
 
@@ -197,7 +197,7 @@ def _end(manifest: Manifest) -> Iterator[str]:
 
 
 def command(config: Config) -> str:
-    """The command that makes a dataset of a configuration again."""
+    """Return the command that makes a dataset of a configuration again."""
     options = [
         f"--items {config.items} --recipe {','.join(config.recipes)} --difficulty {','.join(config.difficulties)}",
         f"--mode {','.join(config.modes)} --seed {config.seed} --shard-size {config.shard}",
@@ -224,7 +224,7 @@ def _quoted(text: str) -> Iterator[str]:
 
 
 def _table(title: str, head: Sequence[str], rows: Sequence[Sequence[str]], *, folded: bool = False) -> Iterator[str]:
-    """A Markdown table under its title, or folded away; nothing if there are no rows."""
+    """Yield a Markdown table under its title, or folded away; nothing if there are no rows."""
     if not rows:
         return
     yield from ("", f"<details><summary>{title}</summary>" if folded else f"## {title}", "")
@@ -235,7 +235,7 @@ def _table(title: str, head: Sequence[str], rows: Sequence[Sequence[str]], *, fo
 
 
 def _cell(text: str) -> str:
-    """A text that is no markup inside a table."""
+    """Return a text that is no markup inside a table."""
     return " ".join(text.split()).replace("|", "\\|").replace("<", "&lt;")
 
 

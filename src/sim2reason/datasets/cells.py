@@ -31,12 +31,12 @@ Key = tuple[str, str, str]
 
 
 def table(asked: Iterable[tuple[Key, int]], kept: Iterable[Key]) -> tuple[Cell, ...]:
-    """All cells that were asked for or hold an item, in alphabetical order."""
+    """Return all cells that were asked for or hold an item, in alphabetical order."""
     return _summed([*((key, number, 0) for key, number in asked), *((key, 0, 1) for key in kept)])
 
 
 def together(tables: Iterable[Iterable[Cell]]) -> tuple[Cell, ...]:
-    """The table of several datasets, or parts of one, as a whole."""
+    """Return the table of several datasets, or parts of one, as a whole."""
     cells = (cell for table in tables for cell in table)
     return _summed(((cell.mode, cell.kind, cell.recipe), cell.asked, cell.kept) for cell in cells)
 
@@ -53,7 +53,7 @@ def _summed(found: Iterable[tuple[Key, int, int]]) -> tuple[Cell, ...]:
 
 
 def enough(cells: int) -> int:
-    """How often a cell must be asked for, so that it is no accident if it stays empty.
+    """Return how often a cell must be asked for, so that it is no accident if it stays empty.
 
     If each request is kept with the probability p at least, n of them give nothing with at most (1 − p)^n, the binomial
     distribution's P(0). Over all cells together that is to be at most `FALSE_ALARM`, by Bonferroni's inequality.
@@ -62,7 +62,7 @@ def enough(cells: int) -> int:
 
 
 def empty(cells: Iterable[Cell]) -> Iterator[str]:
-    """A line for each cell that is empty, though it was asked for more often than accident can explain."""
+    """Yield a line for each cell that is empty, though it was asked for more often than accident can explain."""
     found = tuple(cells)
     for cell in found:
         if cell.kept == 0 and cell.asked >= enough(len(found)):

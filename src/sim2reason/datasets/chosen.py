@@ -16,7 +16,7 @@ Given = str | tuple[str, ...]
 
 
 def _known(named: Callable[[Given], tuple[str, ...]]) -> AfterValidator:
-    """A validator: `named` raises for a name that there is not."""
+    """Return a validator: `named` raises for a name that there is not."""
 
     def check(value: Given) -> Given:
         if not value:

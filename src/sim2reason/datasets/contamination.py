@@ -65,7 +65,7 @@ class Benchmarks:
         self._hashes, self._places = hashes[order], places[order]
 
     def _read(self, paths: Sequence[Path]) -> Iterator[tuple[Hashes, NDArray[np.int32]]]:
-        """The runs of each text, and for each of them its item."""
+        """Yield the runs of each text, and for each of them its item."""
         total = 0
         for path in paths:
             some = False
@@ -81,7 +81,7 @@ class Benchmarks:
                 raise DatasetError(f"{path}: holds no text; give the file that holds the benchmark's questions")
 
     def overlap(self, text: str) -> Overlap | None:
-        """The first run of words that a text has in common with a benchmark, and the first item that has it."""
+        """Return the first run of words that a text has in common with a benchmark, and the first item that has it."""
         own = words(text)
         runs = _runs(own, self._run)
         places = np.searchsorted(self._hashes, runs)
@@ -92,13 +92,13 @@ class Benchmarks:
 
 
 def words(text: str) -> list[str]:
-    """The words of a text in small letters, without numbers and single letters."""
+    """Return the words of a text in small letters, without numbers and single letters."""
     plain = _MARKUP.sub(" ", unicodedata.normalize("NFKC", text)).casefold()
     return _WORD.findall(plain)
 
 
 def _runs(found: Sequence[str], run: int) -> Hashes:
-    """A hash of each run of words, in order."""
+    """Return a hash of each run of words, in order."""
     hashes = np.fromiter(map(_word_hash, found), dtype=np.uint64, count=len(found))
     total = np.zeros(max(0, len(found) - run + 1), dtype=np.uint64)
     for place in range(run if len(total) else 0):

@@ -276,12 +276,12 @@ class Dataset:
 
 
 def shortened(name: object) -> str:
-    """An id in quotes, or the beginning of a very long one; anything else as Python shows it."""
+    """Return an id in quotes, or the beginning of a very long one; anything else as Python shows it."""
     text = str(name)
     return repr(name) if len(text) <= LONGEST_NAME else repr(f"{text[:LONGEST_NAME]}…")
 
 
 def _value(row: Row, name: str) -> object:
-    """What a column of a row holds; a dot leads further in."""
+    """Return what a column of a row holds; a dot leads further in."""
     head, _, rest = name.partition(".")
     return _value(row[head], rest) if rest else row[head]

@@ -52,7 +52,7 @@ Others = NDArray[np.int64]
 
 
 def marks(items: Sequence[tuple[int, Item]], *, scenes: bool) -> Marks:
-    """Those of items at their positions; with one of the whole scene if no two may share it."""
+    """Return those of items at their positions; with one of the whole scene if no two may share it."""
     columns = OWN + (3 if scenes else 2)
     found = [variant(item) for _, item in items]
     rows = [
@@ -126,7 +126,7 @@ def _stretches(read: Read, shards: int, problems: Table) -> Iterator[tuple[int, 
 
 
 def _variants(read: Read, shards: int, problems: Table, same: Others) -> Variants:
-    """The variants of some problems that may stay."""
+    """Return the variants of some problems that may stay."""
     tables: list[Table] = []
     held: list[Logarithms] = []
     for number in range(shards):
@@ -140,7 +140,7 @@ def _variants(read: Read, shards: int, problems: Table, same: Others) -> Variant
 
 
 def _keys(item: Item) -> tuple[str, str, str]:
-    """Its words; its scene together with its question; its scene."""
+    """Return its words; its scene together with its question; its scene."""
     asked = item.asked.model_dump_json()
     words = " ".join(item.prompt.split()).casefold()
     return words, f"{item.mode} {item.kind} {asked}\n{item.scene}", item.scene
@@ -151,5 +151,5 @@ def _hash(key: str) -> int:
 
 
 def _repeated(read: Read, shards: int, column: int) -> Table:
-    """The values of a column that more than one item has, in order."""
+    """Return the values of a column that more than one item has, in order."""
     return twice(np.concatenate([np.zeros(0, np.uint64), *(read(n).table[:, column] for n in range(shards))]))

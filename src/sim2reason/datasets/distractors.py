@@ -19,7 +19,7 @@ ENOUGH = 4  # of them, as many as stand beside the right one of five
 
 
 def distractors(candidate: Candidate, description: Description, few: int = FEW) -> tuple[Distractor, ...]:
-    """What the slips lead to that change the answer beyond the tolerance, each value once, the nearest first.
+    """Return what the slips lead to that change the answer beyond the tolerance, each value once, the nearest first.
 
     Where they lead to fewer than `few`, answers are looked for that are far from the right one.
     """
@@ -68,13 +68,13 @@ def _told(effect: Effect, description: Description) -> Distractor:
 
 
 def idle_parts(candidate: Candidate, description: Description) -> tuple[str, ...]:
-    """The parts that could be held or left out, as the text calls them."""
+    """Return the parts that could be held or left out, as the text calls them."""
     idle = dict.fromkeys(effect.subject for effect in effects(candidate, part=True) if effect.close)
     return tuple(_called(subject, description) for subject in idle)
 
 
 def idle_numbers(candidate: Candidate, description: Description) -> tuple[str, ...]:
-    """The addresses of the stated numbers that hardly move the answer, even when they are halved or doubled.
+    """Return the addresses of the stated numbers that hardly move the answer, even when they are halved or doubled.
 
     A scene has more numbers than its text states: g where nothing falls, or how all begins where that is not told.
     """

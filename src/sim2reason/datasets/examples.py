@@ -25,7 +25,7 @@ class Example(NamedTuple):
 
 
 def chosen(items: Iterable[Item]) -> list[Item]:
-    """A few of some items that differ as much as they can, the first ones if in doubt."""
+    """Return a few of some items that differ as much as they can, the first ones if in doubt."""
     waiting, found = list(items), list[Item]()
     while waiting and len(found) < EXAMPLES:
         seen = {name: [getattr(item, name) for item in found] for name in VARIED}
@@ -36,7 +36,7 @@ def chosen(items: Iterable[Item]) -> list[Item]:
 
 
 def example(item: Item, config: Config) -> Example:
-    """An item of a dataset with its solution and its figure, which calls things as the prompt does."""
+    """Return an item of a dataset with its solution and its figure, which calls things as the prompt does."""
     try:
         solution, picture = _made_again(item) if config.maker == MAKER else ("", None)
     except Sim2ReasonError as error:  # a version that fits, but a scene that can't be told or drawn

@@ -36,7 +36,7 @@ class Explanation(dict[str, tuple[str, ...]]):
 
 
 def told(lines: Iterable[str]) -> str:
-    """The lines below a title."""
+    """Return the lines below a title."""
     return indent("\n".join(lines), "  ")
 
 
@@ -107,20 +107,20 @@ def check(figure: Path | str | None, trace: Path | str | None) -> None:
 
 
 def _measured(item: Item) -> Iterator[str]:
-    """What its shortest solution takes."""
+    """Yield what its shortest solution takes."""
     yield f"needs: {item.needs}"
     if item.measured is not None:
         yield from (f"{name}: {number}" for name, number in item.measured)
 
 
 def _solution(request: Request, found: CertifiedQuestion) -> str:
-    """The worked solution, or why there is none."""
+    """Return the worked solution, or why there is none."""
     solution = worked(request, found)
     return f"by {solution.strategy}\n\n{solution.text}" if solution.answer is not None else f"none: {solution.reason}"
 
 
 def _certificates(item: Item) -> Iterator[str]:
-    """How well the engines agree, about each part if there are several."""
+    """Yield how well the engines agree, about each part if there are several."""
     for label, certificate in _labelled([part.certificate for part in item.parts], item.certificate):
         yield from (f"{label}{key}: {value}" for key, value in certificate.items())
 
@@ -137,7 +137,7 @@ def _labelled(parts: Sequence[T], whole: T) -> Iterator[tuple[str, T]]:
 
 
 def _filters(found: CertifiedQuestion) -> Iterator[str]:
-    """Every filter with its verdict and what it found, for each part if there are several."""
+    """Yield every filter with its verdict and what it found, for each part if there are several."""
     for label, held in _labelled([part.certified for part in found.parts], found):
         yield from (f"{label}{line}" for line in _verdicts(held))
 

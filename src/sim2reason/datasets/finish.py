@@ -80,7 +80,7 @@ class _Totals:
         self.refused = {kind: held.with_more(getattr(shard, kind)) for kind, held in self.refused.items()}
 
     def manifest(self, journal: Journal) -> Manifest:
-        """The manifest, but for checksums and seal."""
+        """Return the manifest, but for checksums and seal."""
         plan = journal.plan
         return Manifest(
             config=plan.config,

@@ -26,7 +26,7 @@ def formed(
     refused: Counter[str],
     name: str,
 ) -> CertifiedQuestion | None:
-    """The problem of a mode; None where the scene offers none, which is counted in `refused`.
+    """Return the problem of a mode; None where the scene offers none, which is counted in `refused`.
 
     The order of options hangs on the `name` alone.
     """

@@ -38,7 +38,7 @@ class _Rounded(NamedTuple):
 
 @lru_cache(maxsize=2048)
 def fingerprint(latex: str, symbols: tuple[str, ...], units: tuple[str, ...]) -> str:
-    """The fingerprint of a formula whose symbols have numbers in some coherent units.
+    """Return the fingerprint of a formula whose symbols have numbers in some coherent units.
 
     The text itself where it has too few values to be told from others, or can't be read.
     """
@@ -75,7 +75,7 @@ def _moved(base: Sequence[float], moved: tuple[int, ...]) -> Iterator[float]:
 
 
 def _rounded(values: Values) -> _Rounded | None:
-    """The values at a point without their size; None if there is none but zero."""
+    """Return the values at a point without their size; None if there is none but zero."""
     largest = max((abs(value) for value in values.values() if value is not None), default=0.0)
     if not largest:
         return None
@@ -84,7 +84,7 @@ def _rounded(values: Values) -> _Rounded | None:
 
 
 def _form(found: Sequence[_Rounded | None], roles: Sequence[Dimension], sign: int) -> object:
-    """The values times a sign, in an order that does not hang on the order or names of the symbols."""
+    """Return the values times a sign, in an order that does not hang on the order or names of the symbols."""
     first = next(each.size for each in found if each)
     sizes = [each and round((each.size - first) * 10**DIGITS) for each in found]
 

@@ -140,7 +140,7 @@ def generate(
 
 
 def configured(**order: Unpack[Order]) -> Config:
-    """The configuration that an order means; it raises what `generate` does."""
+    """Return the configuration that an order means; it raises what `generate` does."""
     unknown = [name for name in order if name not in Order.__annotations__]
     if unknown:  # as Python says of all other functions
         known = ", ".join(sorted(Order.__annotations__))
@@ -171,7 +171,7 @@ def configured(**order: Unpack[Order]) -> Config:
 
 
 def files_to_avoid(order: Order) -> tuple[Path, ...]:
-    """The files of benchmarks in an order: one, or several; DatasetError for what is no file."""
+    """Return the files of benchmarks in an order: one, or several; DatasetError for what is no file."""
     given = order.get("decontaminate", ())
     try:
         return tuple(map(Path, (given,) if isinstance(given, str | Path) else given))

@@ -138,7 +138,7 @@ def graded(
 
 
 def _numbered(given: Iterable[Response]) -> Iterator[tuple[int, Response]]:
-    """Each with the number of those that it is graded together with."""
+    """Yield each with the number of those that it is graded together with."""
     group, count, size = 0, 0, 0
     for response in given:
         count, size = count + 1, size + len(str(response.response))
@@ -191,7 +191,7 @@ def _whole(read: object) -> object:
 
 
 def line(response: Response, score: Score) -> str:
-    """One line of a file of scores."""
+    """Return one line of a file of scores."""
     fields: dict[str, object] = {
         "id": response.id,
         "reward": score.reward,

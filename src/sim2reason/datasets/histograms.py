@@ -66,7 +66,7 @@ SHOWN: dict[str, Shown] = {
 
 
 def counted(items: Iterable[Item]) -> dict[str, Counted]:
-    """All histograms of some items."""
+    """Return all histograms of some items."""
     found: dict[str, Counted] = {name: {} for name in SHOWN}
     for item in items:
         for name, shown in SHOWN.items():
@@ -76,7 +76,7 @@ def counted(items: Iterable[Item]) -> dict[str, Counted]:
 
 
 def histogram(name: str, counts: Mapping[str, Mapping[str, int]]) -> Histogram:
-    """What is drawn of the counts of one histogram."""
+    """Return what is drawn of the counts of one histogram."""
     shown, found = SHOWN[name], {place for series in counts.values() for place in series}
     numeric = all(place.lstrip("-").isdecimal() for place in found)
     if numeric and found:

@@ -10,7 +10,7 @@ from sim2reason.questions.spoken_units import SpokenUnits, spoken_in
 
 
 def told_in(system: SpokenUnits, item: Item) -> Item:
-    """The same problem with all numbers of its text, its answer and its wrong answers in a system of units.
+    """Return the same problem with all numbers of its text, its answer and its wrong answers in a system of units.
 
     One in symbols stays as it is: its formula holds in any.
     """
@@ -38,7 +38,7 @@ def told_in(system: SpokenUnits, item: Item) -> Item:
 
 
 def _options_told_in(system: SpokenUnits, item: Item) -> Item:
-    """The same of a multiple choice, whose options are in the unit of the answer."""
+    """Return the same of a multiple choice, whose options are in the unit of the answer."""
     answer, told = _answer(system, item.answer), ChoicePrompt.read(item.prompt)
     question = spoken_in(system, told.question)
     return item.model_copy(
@@ -53,7 +53,7 @@ def _options_told_in(system: SpokenUnits, item: Item) -> Item:
 
 
 def _parts_told_in(system: SpokenUnits, item: Item) -> Item:
-    """The same of a problem with several parts, whose last line names the units of all answers."""
+    """Return the same of a problem with several parts, whose last line names the units of all answers."""
     units = [system.spelled(answer.unit)[0] for answer in item.answer.parts]
     told = PartPrompt.read(item.prompt)
     said = tuple(unit_in_words(unit) if unit else old for unit, old in zip(units, told.units, strict=True))

@@ -48,7 +48,7 @@ class Record(BaseModel):
 
 
 def unfolded(value: object) -> object:
-    """What a JSON text says, as rows of shards hold what has keys of its own; anything else as it is.
+    """Return what a JSON text says, as rows of shards hold what has keys of its own; anything else as it is.
 
     Raises:
         ValueError: a text that is no JSON.
@@ -134,7 +134,7 @@ class Answer(Record):
     @model_validator(mode="before")
     @classmethod
     def _of_earlier_versions(cls, value: object) -> object:
-        """A formula without `unit` has the units in which texts say its numbers, as records once had them."""
+        """Return the answer of an older record with the units of its formula, which such records omit."""
         answer = _keyed(value)
         formula = _keyed(answer.get("formula"))
         if not formula or "unit" in formula:

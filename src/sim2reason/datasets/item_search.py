@@ -62,7 +62,7 @@ class ItemSearch:
         return self._first if self._first in self._problems else ""
 
     def found(self) -> CertifiedQuestion | None:
-        """The first question that passes every filter; None if none does within the budget."""
+        """Return the first question that passes every filter; None if none does within the budget."""
         for turn, first in enumerate(range(0, SCENES, TOGETHER)):
             found = self._among(range(first, first + TOGETHER), self._order(turn))
             hopeless = not self._first and self.rejected[NOTHING] >= EMPTY
@@ -87,7 +87,7 @@ class ItemSearch:
         return known or self._refused[kind] >= REFUSED or self._unsuited[kind] >= HOPELESS
 
     def _among(self, attempts: range, kinds: Sequence[str]) -> CertifiedQuestion | None:
-        """A question about one of some scenes."""
+        """Return a question about one of some scenes."""
         drawn: list[Drawn] = []
         for search, rng in self._scenes(attempts):
             drawn.append((search, rng))
@@ -106,7 +106,7 @@ class ItemSearch:
         return None
 
     def _scenes(self, attempts: range) -> Iterator[Drawn]:
-        """Those scenes that can be asked about."""
+        """Yield those scenes that can be asked about."""
         for attempt in attempts:
             rng = self._generator(attempt)
             try:
@@ -134,7 +134,7 @@ class ItemSearch:
     def _first_kind(
         self, search: QuestionSearch, rng: np.random.Generator, kinds: Sequence[str]
     ) -> CertifiedQuestion | None:
-        """A question of the first kind that a scene offers."""
+        """Return a question of the first kind that a scene offers."""
         for kind in kinds:
             if len(search.beyond) >= BEYOND:
                 return None

@@ -203,7 +203,7 @@ def requested(  # noqa: PLR0913 - the same
     needs: Names = (),
     solutions: bool = False,
 ) -> Request:
-    """The request of some coordinates; it raises what `item` does of them."""
+    """Return the request of some coordinates; it raises what `item` does of them."""
     given = numbers("weights", weights or {})
     check(given, modes_named((mode,)), recipes_named((recipe,)))
     ordered = tuple(sorted(given.items()))
@@ -212,7 +212,7 @@ def requested(  # noqa: PLR0913 - the same
 
 
 def made(request: Request) -> tuple[Item, CertifiedQuestion]:
-    """The item of a request, with all that it was made of; DrawError if no draw passed the filters."""
+    """Return the item of a request, with all that it was made of; DrawError if no draw passed the filters."""
     found = _found(request)
     return item_of(request, found), found
 

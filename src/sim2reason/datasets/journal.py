@@ -36,7 +36,7 @@ class RunPlan(Record):
 
     @classmethod
     def of(cls, config: Config) -> "RunPlan":
-        """That of a configuration here and now."""
+        """Return that of a configuration here and now."""
         return cls(config=config, versions=versions())
 
     def differences(self, other: "RunPlan") -> list[str]:
@@ -74,21 +74,21 @@ class Journal:
 
     @property
     def shards(self) -> int:
-        """How many ranges these positions are cut into."""
+        """Return how many ranges these positions are cut into."""
         return self.plan.config.shards(self.positions)
 
     def range(self, number: int) -> range:
-        """The positions of the shard of that number."""
+        """Return the positions of the shard of that number."""
         return self.plan.config.positions(number, self.positions)
 
     def _last_position(self) -> int:
-        """The position behind the last one that was tried, by the records."""
+        """Return the position behind the last one that was tried, by the records."""
         numbers = (int(path.stem) for path in self.folder.glob("*.json") if path.stem.isdecimal())
         last = self.shard(max(numbers, default=0))
         return last.positions[1] if last is not None else 0
 
     def _claim(self) -> Manifest | None:
-        """The manifest of a finished dataset that this plan goes on with, if there is one."""
+        """Return the manifest of a finished dataset that this plan goes on with, if there is one."""
         if self.folder.is_symlink():
             raise DatasetError(f"{self.folder}: is a link; choose a new folder")
         strangers = sorted(path.name for path in self.out.iterdir() if not self._is_fresh(path))
@@ -125,7 +125,7 @@ class Journal:
             remove_pictures(self.out, manifest.files)
 
     def stands(self, number: int) -> Shard | None:
-        """The record of a shard if all its files stand undamaged; they get the names of this plan.
+        """Return the record of a shard if all its files stand undamaged; they get the names of this plan.
 
         It may be one of fewer positions than the shard is to have: the first of them.
         """
@@ -148,11 +148,11 @@ class Journal:
         return shard
 
     def shard(self, number: int) -> Shard | None:
-        """The record of a shard, if there is one."""
+        """Return the record of a shard, if there is one."""
         return _read(self._record(number), Shard)
 
     def marks(self, number: int) -> Marks | None:
-        """What no other item may share with those of a shard, if that is kept."""
+        """Return what no other item may share with those of a shard, if that is kept."""
         try:
             with self._marks(number).open("rb") as file:
                 return Marks(np.load(file, allow_pickle=False), np.load(file, allow_pickle=False))
@@ -189,7 +189,7 @@ class Journal:
             self.folder.rmdir()
 
     def _path(self, file: ShardFile) -> Path:
-        """Where a file that a record lists may stand: among the shards, whatever the record says."""
+        """Return where a file that a record lists may stand: among the shards, whatever the record says."""
         return self.out / DATA / Path(file.name).name
 
     def _save(self, shard: Shard) -> None:

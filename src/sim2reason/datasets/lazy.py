@@ -44,11 +44,11 @@ class LazyProblems:
         self.config, self.split, self._benchmarks = config, split, benchmarks
 
     def __len__(self) -> int:
-        """The number of positions."""
+        """Return the number of positions."""
         return self.config.items
 
     def __getitem__(self, position: int) -> Item:
-        """The problem at a position from 0 on.
+        """Return the problem at a position from 0 on.
 
         Raises:
             IndexError: there is no such position.

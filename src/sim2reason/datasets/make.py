@@ -53,7 +53,7 @@ def make(request: Request) -> Made:
 
 
 def item_of(request: Request, found: CertifiedQuestion) -> Item:
-    """The record of a question that passed."""
+    """Return the record of a question that passed."""
     scene = found.description.scene
     question = found.question
     solution, unsolved = recorded(worked(request, found)) if request.solutions else (None, "")
@@ -95,7 +95,7 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
 
 
 def with_options(item: Item, found: CertifiedQuestion) -> Item:
-    """A numeric item as a multiple choice."""
+    """Return a numeric item as a multiple choice."""
     answer, body, chosen = item.answer, without_form(item.prompt)[0], found.options
     numbers, letter = tuple(values(answer, chosen)), LETTERS[chosen.index(None)]
     texts = _names_and(numbers, answer.unit, found)
@@ -114,7 +114,7 @@ def _names_and(numbers: Sequence[float], unit: str, found: CertifiedQuestion) ->
 
 
 def _wrong_answers(found: CertifiedQuestion) -> tuple[Distractor, ...]:
-    """Those of a question; where it has options, the wrong ones among them, and parts have their own."""
+    """Return those of a question; where it has options, the wrong ones among them, and parts have their own."""
     if found.parts:
         return ()
     if found.options:
@@ -123,7 +123,7 @@ def _wrong_answers(found: CertifiedQuestion) -> tuple[Distractor, ...]:
 
 
 def _parts_of(request: Request, found: CertifiedQuestion) -> tuple[QuestionPart, ...]:
-    """The records of the parts of a problem that has several."""
+    """Return the records of the parts of a problem that has several."""
     solutions = worked_parts(request, found) if request.solutions else []
     records = [recorded(solution) for solution in solutions] or [(None, "")] * len(found.parts)
     return tuple(
@@ -142,7 +142,7 @@ def _parts_of(request: Request, found: CertifiedQuestion) -> tuple[QuestionPart,
 
 
 def _in_all(found: CertifiedQuestion, idle: Callable[[Candidate, Description], tuple[str, ...]]) -> tuple[str, ...]:
-    """What has no bearing on any part."""
+    """Return what has no bearing on any part."""
     candidates = [part.certified.candidate for part in found.parts] or [found.candidate]
     each = [idle(candidate, found.description) for candidate in candidates]
     return tuple(name for name in each[0] if all(name in others for others in each[1:]))
@@ -154,7 +154,7 @@ def _wording_of(description: Description) -> Wording:
 
 
 def answer_of(found: CertifiedQuestion) -> Answer:
-    """The record of its answer, or of those to its parts."""
+    """Return the record of its answer, or of those to its parts."""
     question, tolerance = found.question, found.candidate.tolerance
     formula = _formula_of(question.formula, question.unit) if question.formula is not None else None
     return Answer(
@@ -168,7 +168,7 @@ def answer_of(found: CertifiedQuestion) -> Answer:
 
 
 def _formula_of(formula: Formula, unit: str) -> FormulaRecord:
-    """The record of a formula for an answer that is asked for in `unit`."""
+    """Return the record of a formula for an answer that is asked for in `unit`."""
     pairs = zip(formula.points, formula.values, strict=True)
     return FormulaRecord(
         latex=formula.latex,
@@ -190,7 +190,7 @@ def _difficulty_of(taken: SolutionDifficulty) -> MeasuredDifficulty:
 
 
 def _query_of(found: CertifiedQuestion) -> QueryRecord:
-    """The record of what is asked."""
+    """Return the record of what is asked."""
     query, given = found.question.query, found.question.given
     kind = KINDS[query.kind]
     return QueryRecord(
@@ -206,7 +206,7 @@ def _query_of(found: CertifiedQuestion) -> QueryRecord:
 
 
 def summary(certificate: Certificate) -> dict[str, JsonValue]:
-    """What an item says of its certificate: the worst difference, the tolerance, until when, by whom."""
+    """Return what an item says of its certificate: the worst difference, the tolerance, until when, by whom."""
     worst = max(certificate.agreement.values(), default=0.0)
     return {
         "engines": list(certificate.engines),

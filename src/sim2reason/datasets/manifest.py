@@ -107,7 +107,7 @@ class RefusedPositions(Record):
     first: tuple[RefusedPosition, ...] = ()
 
     def with_more(self, found: Iterable[RefusedPosition]) -> "RefusedPositions":
-        """Those and later ones."""
+        """Return those and later ones."""
         more = tuple(found)
         return RefusedPositions(total=self.total + len(more), first=(*self.first, *more)[:FIRST]) if more else self
 
@@ -140,13 +140,13 @@ class Manifest(Record):
     """The SHA-256 of this manifest with an empty seal."""
 
     def sealed(self) -> "Manifest":
-        """The same with its seal set."""
+        """Return the same with its seal set."""
         bare = self.model_copy(update={"seal": ""}).text()
         return self.model_copy(update={"seal": sha256(bare.encode()).hexdigest()})
 
     @property
     def is_whole(self) -> bool:
-        """Whether it says what was sealed."""
+        """Return whether it says what was sealed."""
         return self.sealed().seal == self.seal
 
     def empty_cells(self) -> Iterator[str]:
@@ -157,7 +157,7 @@ class Manifest(Record):
             yield f"no problem at all: none of {unfilled} could be made; order other recipes, modes, kinds or weights"
 
     def text(self) -> str:
-        """The bytes of ``manifest.json``, as text."""
+        """Return the bytes of ``manifest.json``, as text."""
         return canonical(self.model_dump(mode="json"))
 
 
@@ -175,7 +175,7 @@ def load(path: Path) -> Manifest:
 
 
 def load_sealed(path: Path) -> Manifest:
-    """The same of a manifest that says what was written; DatasetError for one that was changed since."""
+    """Return the same of a manifest that says what was written; DatasetError for one that was changed since."""
     manifest = load(path)
     if not manifest.is_whole:
         raise DatasetError(f"{path / MANIFEST}: changed since it was written; see: sim2reason verify {path}")
@@ -183,12 +183,12 @@ def load_sealed(path: Path) -> Manifest:
 
 
 def shards(path: Path) -> Iterator[Shard]:
-    """The shards of a finished dataset in order, one at a time; DatasetError for a line that is none."""
+    """Return the shards of a finished dataset in order, one at a time; DatasetError for a line that is none."""
     return (_shard(path, *numbered) for numbered in enumerate(_lines(path), start=1))
 
 
 def shard(path: Path, number: int) -> Shard:
-    """One shard of a finished dataset; DatasetError if its line is none, or not there."""
+    """Return one shard of a finished dataset; DatasetError if its line is none, or not there."""
     line = next(islice(_lines(path), number, None), b"")
     return _shard(path, number + 1, line)
 
@@ -210,7 +210,7 @@ def _shard(path: Path, count: int, line: bytes) -> Shard:
 
 
 def refused(path: Path, kind: Refusal) -> Iterator[RefusedPosition]:
-    """All positions of a finished dataset that hold no item for one cause, in order."""
+    """Return all positions of a finished dataset that hold no item for one cause, in order."""
     return (found for shard in shards(path) for found in getattr(shard, kind))
 
 

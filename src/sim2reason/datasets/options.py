@@ -20,7 +20,7 @@ Options = tuple[Distractor | None, ...]
 
 
 def options(answer: Answer, wrong: Sequence[Distractor], name: str) -> Options | None:
-    """The right answer and wrong ones in an order that hangs on a name, such as an item's id; None for too few.
+    """Return the right answer and wrong ones in an order that hangs on a name, such as an item's id; None for too few.
 
     Told in three digits, the right one is right for the grader, no other is, and each differs from all others by a
     tenth of it or more. Each place is as likely for the right one as any other.
@@ -64,7 +64,7 @@ def _ordered(chosen: Sequence[Distractor | None], name: str) -> Options:
 
 
 def options_of(item: Item) -> Options | None:
-    """The options of a multiple choice, or those that an item could have; None for too few."""
+    """Return the options of a multiple choice, or those that an item could have; None for too few."""
     if not item.answer.letter:
         return options(item.answer, item.distractors, item.id)
     label, wrong = LETTERS.index(item.answer.letter), iter(item.distractors)
@@ -72,18 +72,18 @@ def options_of(item: Item) -> Options | None:
 
 
 def values(answer: Answer, chosen: Sequence[Distractor | None]) -> list[float]:
-    """The numbers of options."""
+    """Return the numbers of options."""
     return [answer.value if wrong is None else wrong.value for wrong in chosen]
 
 
 def _stands_apart(answer: Answer, wrong: Distractor, chosen: Sequence[Distractor | None]) -> bool:
-    """Whether a wrong answer could not pass for another option."""
+    """Return whether a wrong answer could not pass for another option."""
     least = max(APART, answer.tolerance) + ROUNDING
     others = values(answer, chosen)
     return all(abs(wrong.value - other) > least * max(abs(wrong.value), abs(other)) for other in others)
 
 
 def _graded(answer: Answer, texts: list[str]) -> bool:
-    """Whether the one grader finds the first right, and no other."""
+    """Return whether the one grader finds the first right, and no other."""
     rewards = [grade_answer(answer, rf"\boxed{{{text}}}").reward for text in texts]
     return rewards == [1.0, *(0.0 for _ in texts[1:])]

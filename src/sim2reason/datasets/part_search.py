@@ -56,7 +56,7 @@ class _Part:
         return self.certified.question
 
     def follows(self, other: "_Part") -> bool:
-        """Whether the other part leads to this one."""
+        """Return whether the other part leads to this one."""
         return _leads(other.question, other.solution, self.question, self.solution)
 
 
@@ -78,7 +78,7 @@ class PartSearch:
         self._looks, self._sifts = LOOKED_AT, SIFTED
 
     def around(self, found: CertifiedQuestion) -> CertifiedQuestion | None:
-        """A problem with `found` among its parts, whose last part it stands for; None if nothing leads to it."""
+        """Return a problem with `found` among its parts, whose last part it stands for; None if nothing leads to it."""
         parts, asked = [_Part(found, solve(found.setting))], {found.question.query}
         while len(parts) < self._number and (len(parts) > 1 or self._may_be_joined(parts[0])):
             more = self._one_more(parts, asked)
@@ -91,7 +91,7 @@ class PartSearch:
         return self._as_one(parts)
 
     def _one_more(self, parts: list[_Part], asked: set[Query]) -> _Part | None:
-        """A part that leads to one of the others or is led to; what was tried before is not tried again."""
+        """Return a part that leads to one of the others or is led to; what was tried before is not tried again."""
         for query in self._offered(parts):
             if query in asked:
                 continue
@@ -121,7 +121,7 @@ class PartSearch:
         return Setting.of(question, search.study, search.words, search.description)
 
     def _joined(self, question: Question, solution: Solution, part: _Part) -> bool:
-        """Whether one of the two leads to the other."""
+        """Return whether one of the two leads to the other."""
         here, there = (question, solution), (part.question, part.solution)
         return _leads(*here, *there) or _leads(*there, *here)
 
@@ -163,7 +163,7 @@ class PartSearch:
             yield from [query] if query is not None else []
 
     def _at(self, kind: str, moment: Moment) -> Iterator[Query]:
-        """A question of a kind about a moment, if there is one."""
+        """Yield a question of a kind about a moment, if there is one."""
         search = self._search
         query = KINDS[kind].at(moment, search.study, search.words, self._targets, self._rng)
         yield from [query] if query is not None else []
@@ -173,7 +173,7 @@ class PartSearch:
         return targets(self._search.words)
 
     def _as_one(self, parts: list[_Part]) -> CertifiedQuestion:
-        """The parts in order, with one prompt."""
+        """Return the parts in order, with one prompt."""
         ordered = self._ordered(parts)
         questions = [part.question for part in ordered]
         description = self._search.described(questions)
@@ -187,7 +187,7 @@ class PartSearch:
         return replace(ordered[-1].certified, description=description, shape=prompt.shape, parts=held, text=prompt.text)
 
     def _ordered(self, parts: list[_Part]) -> list[_Part]:
-        """Each behind all that lead to it; else by time, then by the length of the solution."""
+        """Return each behind all that lead to it; else by time, then by the length of the solution."""
 
         def place(part: _Part) -> tuple[float, int]:
             query = part.question.query
@@ -202,14 +202,14 @@ class PartSearch:
 
 
 def _moments(parts: list[_Part]) -> list[Moment]:
-    """The start, and those of which parts speak."""
+    """Return the start, and those of which parts speak."""
     told = [part.question.query.moment for part in parts]
     found: list[Moment] = [AtStart(), *(moment for moment in told if moment is not None)]
     return list(dict.fromkeys(found))
 
 
 def _query(target: Target, when: Moment, study: Study) -> Iterator[Query]:
-    """The question about a quantity at a moment, if it is worth asking there."""
+    """Yield the question about a quantity at a moment, if it is worth asking there."""
     if when.kind != AtStart.kind:
         told = Channel(target.subject, target.quantity) in when.tells
         if when.kind in KINDS and not told and changed(study, when)(target):
@@ -231,7 +231,7 @@ def _leads(question: Question, solution: Solution, other: Question, to: Solution
 
 
 def _found_in(solution: Solution) -> dict[str, tuple[float, str]]:
-    """The values and units of the names that a solution finds before its answer."""
+    """Return the values and units of the names that a solution finds before its answer."""
     results = (r for r in solution.relations if r.unit and isinstance(r.left, Symbol) and r.role in ("law", "result"))
     names = {relation.left.latex(): relation.unit for relation in results}
     return {
@@ -246,7 +246,7 @@ def _same(value: float, other: float) -> bool:
 
 
 def is_new(question: Question, other: Question, study: Study) -> bool:
-    """Whether neither question tells the answer to the other, nor does one answer follow from the other at once.
+    """Return whether neither question tells the answer to the other, nor does one answer follow from the other at once.
 
     An answer follows at once if it is a simple multiple of the other, of its square or of its inverse, or such a
     multiple times a number that the text states: K = m v²/2, W = F d, f = 1/T. Nor do both state numbers for
@@ -268,7 +268,7 @@ def is_new(question: Question, other: Question, study: Study) -> bool:
 
 
 def _tells(question: Question, other: Question) -> bool:
-    """Whether a question states a number that would be paid as the answer to another."""
+    """Return whether a question states a number that would be paid as the answer to another."""
     moment = question.query.moment
     stated = moment.stated if moment is not None else ()
     return any(
@@ -277,7 +277,7 @@ def _tells(question: Question, other: Question) -> bool:
 
 
 def _is_simple(ratio: float) -> bool:
-    """Whether a number is a fraction of small numbers, or one of them times π."""
+    """Return whether a number is a fraction of small numbers, or one of them times π."""
     return any(
         abs(ratio * below / unit - round(ratio * below / unit)) <= TRIVIAL * ratio * below / unit
         and 1 <= round(ratio * below / unit) <= LARGEST

@@ -16,17 +16,17 @@ PACKAGE = "matplotlib"
 
 
 def of_histogram(name: str) -> str:
-    """The file of a histogram."""
+    """Return the file of a histogram."""
     return f"{FIGURES}/{name}.png"
 
 
 def of_example(number: int) -> str:
-    """The file of an example's figure, counted from 1."""
+    """Return the file of an example's figure, counted from 1."""
     return f"{FIGURES}/example-{number}.png"
 
 
 def drawn_by() -> str:
-    """The package that draws, with its version, which decides about the bytes; empty without one."""
+    """Return the package that draws, with its version, which decides about the bytes; empty without one."""
     try:
         return f"{PACKAGE} {version(PACKAGE)}"
     except PackageNotFoundError:

@@ -56,7 +56,7 @@ _LICENSE = re.compile(r"[a-z0-9][a-z0-9.+-]{0,39}")
 
 
 def several(what: str, names: object) -> tuple[str, ...]:
-    """The names that are given, be it one or more; DatasetError for what is none, with `what` it would name."""
+    """Return the names that are given, be it one or more; DatasetError for what is none, with `what` it would name."""
     many = isinstance(names, Iterable) and not isinstance(names, str)
     for name in (found := tuple(cast("Iterable[object]", names if many else (names,)))):
         if not isinstance(name, str):
@@ -65,7 +65,7 @@ def several(what: str, names: object) -> tuple[str, ...]:
 
 
 def numbers(what: str, pairs: object) -> dict[str, float]:
-    """The numbers that are given by name, such as weights; DatasetError for what is no mapping of such."""
+    """Return the numbers that are given by name, such as weights; DatasetError for what is no mapping of such."""
     if not isinstance(pairs, Mapping):
         raise DatasetError(f"{what}: {pairs!r} is no mapping; give numbers by name, as in {{'period': 2}}")
     for name, size in (found := cast("Mapping[object, object]", pairs)).items():
@@ -145,7 +145,7 @@ class Config(Record):
     @field_validator("tolerance")
     @classmethod
     def _of_use(cls, value: float) -> float:
-        """One that an answer may have."""
+        """Return one that an answer may have."""
         if fault := out_of_range(value):
             raise ValueError(fault)
         return value
@@ -153,7 +153,7 @@ class Config(Record):
     @field_validator("license")
     @classmethod
     def _of_the_hub(cls, value: str) -> str:
-        """A name as the Hugging Face hub has them, which stands in the card's head."""
+        """Return a name as the Hugging Face hub has them, which stands in the card's head."""
         if not _LICENSE.fullmatch(value):
             raise ValueError(
                 f"{value!r} is no licence on the Hugging Face hub; give its name there, as in --license mit"
@@ -199,15 +199,15 @@ class Config(Record):
         return tuple(sorted(self.weights.items()))
 
     def shards(self, positions: int) -> int:
-        """How many ranges so many positions are cut into, of which each stands in one file for each split."""
+        """Return how many ranges so many positions are cut into, of which each stands in one file for each split."""
         return -(-positions // self.shard)
 
     def positions(self, number: int, end: int) -> range:
-        """The positions of the shard of that number, where there are none from `end` on."""
+        """Return the positions of the shard of that number, where there are none from `end` on."""
         return range(number * self.shard, min((number + 1) * self.shard, end))
 
     def position(self, request: Request) -> int:
-        """Where a request stands; DrawError if no position of this configuration has it."""
+        """Return where a request stands; DrawError if no position of this configuration has it."""
         cell = request.recipe, request.difficulty, request.mode
         times = self._cells.count(cell)
         if times:
@@ -219,19 +219,19 @@ class Config(Record):
         raise DrawError(f"{request.id}: no item of this dataset")
 
     def digest(self, versions: dict[str, str]) -> str:
-        """A hash of the configuration and the versions that make it."""
+        """Return a hash of the configuration and the versions that make it."""
         text = json.dumps([self.model_dump(mode="json"), versions], sort_keys=True)
         return hashlib.sha256(text.encode()).hexdigest()
 
 
 def file_name(number: int, total: int, split: str = TRAIN) -> str:
-    """The file of a shard and a split, named as the Hugging Face hub does."""
+    """Return the file of a shard and a split, named as the Hugging Face hub does."""
     return f"{DATA}/{split}-{number:05}-of-{total:05}.parquet"
 
 
 @cache
 def versions() -> dict[str, str]:
-    """All that may change the bytes beside the configuration: packages, Python and platform."""
+    """Return all that may change the bytes beside the configuration: packages, Python and platform."""
     found = {"python": platform.python_version(), "platform": f"{sys.platform}-{platform.machine()}"}
     for package in SHAPING:
         found[package] = version(package)

@@ -46,7 +46,7 @@ class _Told:
 
 
 def _kept(candidate: Candidate, *, witnessed: bool) -> Verdict:
-    """The verdict where no filter is heard."""
+    """Return the verdict where no filter is heard."""
     del candidate, witnessed
     return Verdict(keep=True, filter="")
 
@@ -96,11 +96,11 @@ class QuestionSearch:
 
     @cached_property
     def words(self) -> Words:
-        """What questions need to know of its text."""
+        """Return what questions need to know of its text."""
         return words_of(self.description)
 
     def _words(self, told: "_Told") -> Words:
-        """What a question's own text says, of whose numbers some may be left out."""
+        """Return what a question's own text says, of whose numbers some may be left out."""
         said = told.description.told
         if len(said) == len(self.description.told):
             return self.words
@@ -121,7 +121,7 @@ class QuestionSearch:
 
     @cached_property
     def fault(self) -> str:
-        """Why no question about the scene can pass, as a manifest counts it; empty if one can."""
+        """Return why no question about the scene can pass, as a manifest counts it; empty if one can."""
         if self.is_unstable:
             return f"unstable: {self.study.trace.cut}"
         verdict = Verdict(keep=True, filter="") if self._unfiltered else sift_scene(self.study)
@@ -131,7 +131,7 @@ class QuestionSearch:
 
     @property
     def is_unstable(self) -> bool:
-        """Whether the engines give up before much of the motion is over."""
+        """Return whether the engines give up before much of the motion is over."""
         return self.study.trace.stable_until < SHORTEST * float(self.study.trace.state.times[-1])
 
     def ask(
@@ -142,7 +142,7 @@ class QuestionSearch:
         kind: str = "",
         tries: int = QUESTIONS,
     ) -> CertifiedQuestion | None:
-        """A question that passes every filter, or None; what was refused is counted by filter in `refused`.
+        """Return a question that passes every filter, or None; what was refused is counted by filter in `refused`.
 
         Of one kind where one is named: then it is a matter of course that a scene may offer none.
         """
@@ -174,7 +174,7 @@ class QuestionSearch:
     def _judged(
         self, question: Question, mode: QuestionMode, rng: np.random.Generator, beside: tuple[Candidate, ...] = ()
     ) -> CertifiedQuestion | Verdict:
-        """The question with its certificate, or the verdict against it."""
+        """Return the question with its certificate, or the verdict against it."""
         told = self._told(question, mode, rng, beside)
         verdict = self._sift(told.candidate, witnessed=False)
         if verdict.keep:
@@ -196,7 +196,7 @@ class QuestionSearch:
         return CertifiedQuestion(candidate, study, certificate, told.description, told.shape)
 
     def described(self, questions: Sequence[Question]) -> Description:
-        """The text for several questions about the scene: it leaves out only what matters to none of them."""
+        """Return the text for several questions about the scene: it leaves out only what matters to none of them."""
         topics = self.description.topics
         idle = (irrelevant(question, self.study, topics) for question in questions)
         return self._leaving_out(frozenset[Topic].intersection(*idle))
@@ -204,7 +204,7 @@ class QuestionSearch:
     def _told(
         self, question: Question, mode: QuestionMode, rng: np.random.Generator, beside: tuple[Candidate, ...]
     ) -> "_Told":
-        """A question with its prompt, as filters look at it."""
+        """Return a question with its prompt, as filters look at it."""
         study = mode.study(question, self.study)
         description = mode.described(question, self._leaving_out(irrelevant(question, study, self.description.topics)))
         prompt = shaped(description, question, rng)
@@ -226,22 +226,22 @@ class QuestionSearch:
         return _Told(candidate, description, prompt.shape)
 
     def _leaving_out(self, topics: frozenset[Topic]) -> Description:
-        """The text without some topics, which many questions leave out."""
+        """Return the text without some topics, which many questions leave out."""
         if topics not in self._texts:
             self._texts[topics] = self.description.leaving_out(topics)
         return self._texts[topics]
 
     def _wants(self, query: Query) -> bool:
-        """Whether a quantity that may be asked about is asked about."""
+        """Return whether a quantity that may be asked about is asked about."""
         return KINDS[query.kind].measured(query).name in self._quantities
 
     @cached_property
     def _changing(self) -> bool:
-        """Whether accelerations change other than at events."""
+        """Return whether accelerations change other than at events."""
         return bool(changing(self.study.mechanism))
 
     def _suits(self, query: Query, unknown: str, stated: StatedResult | None) -> bool:
-        """Whether a solution needs what it may.
+        """Return whether a solution needs what it may.
 
         Where no strategy has a way to a query, none has one to a number of the text that its answer fixes.
         """
@@ -256,7 +256,7 @@ class QuestionSearch:
     def _questions(
         self, mode: QuestionMode, kind: str, rng: np.random.Generator, refused: Counter[str], tries: int
     ) -> Iterator[Question]:
-        """Some questions that differ; fewer if the motion offers no more."""
+        """Yield some questions that differ; fewer if the motion offers no more."""
         asked, missed = set[tuple[Query, str]](), 0
         if kind and not may_have_solution(kind, self.study, max(self._needs)):
             return

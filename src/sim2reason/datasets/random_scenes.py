@@ -13,13 +13,13 @@ TRIES = 50
 
 
 def generator(*key: object) -> np.random.Generator:
-    """A random generator that shares nothing with that of any other key: the key is hashed, never added up."""
+    """Return a random generator that shares nothing with that of any other key: the key is hashed, never added up."""
     digest = hashlib.sha256(json.dumps(["sim2reason", *key]).encode()).digest()
     return np.random.default_rng(int.from_bytes(digest, "big"))
 
 
 def sample(recipe: str, difficulty: str = "medium", *, seed: int = 0, index: int = 0) -> Scene:
-    """The `index`-th scene of a recipe, difficulty and seed; what does not fit together is drawn again.
+    """Return the `index`-th scene of a recipe, difficulty and seed; what does not fit together is drawn again.
 
     Raises:
         UnknownNameError: no such recipe or difficulty.

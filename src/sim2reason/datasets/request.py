@@ -27,7 +27,7 @@ _ID = re.compile(
 
 
 def whole(name: str, value: object) -> int:
-    """A coordinate: a whole number from 0 on, but not True or False; DrawError names it."""
+    """Return a coordinate: a whole number from 0 on, but not True or False; DrawError names it."""
     try:
         found = as_index(cast("SupportsIndex", value)) if not isinstance(value, bool) else -1
     except TypeError:
@@ -80,7 +80,7 @@ class Request:
 
     @classmethod
     def named(cls, name: str, weights: Weights = (), tolerance: float = TOLERANCE, needs: tuple[str, ...] = ()) -> Self:
-        """The request of an id, made with these weights, tolerance and needs; DrawError for any other text."""
+        """Return the request of an id, made with these weights, tolerance and needs; DrawError for any other text."""
         match = _ID.fullmatch(name)
         if match is None:
             raise DrawError(f"{name!r} is no id; one looks like pulley-easy-numeric-0-4")
@@ -113,5 +113,5 @@ class Request:
 
 
 def _digest(chosen: tuple[tuple[str | float, ...] | str, ...]) -> str:
-    """A short name for what an order says beside its coordinates."""
+    """Return a short name for what an order says beside its coordinates."""
     return hashlib.sha256(json.dumps(chosen).encode()).hexdigest()[:8]

@@ -68,7 +68,7 @@ def _told_before(done: int) -> None:
 
 
 def _missing(journal: Journal, numbers: range, advance: Advance) -> Iterator[range]:
-    """The positions of some shards that do not stand."""
+    """Yield the positions of some shards that do not stand."""
     for number in numbers:
         positions, standing = journal.range(number), journal.stands(number)
         begin = standing.positions[1] if standing is not None else positions.start
@@ -118,7 +118,7 @@ def _write(journal: Journal, overlap: FindsOverlap, positions: range, outcomes: 
 
 
 def _record(config: Config, positions: range, outcomes: Sequence[Attempt], overlaps: dict[int, Overlap]) -> Shard:
-    """What a range's record says of what it was asked for, and of what gave no item."""
+    """Return what a range's record says of what it was asked for, and of what gave no item."""
     requests = [(outcome, config.request(outcome.position)) for outcome in outcomes]
     wanted = [((r.mode, each.wanted, r.recipe), 1) for each, r in requests if each.wanted]
     failed = [RefusedPosition.of(each.position, r, each.failure) for each, r in requests if each.failure]
@@ -141,7 +141,7 @@ def _why(rejected: Counts) -> str:
 
 
 def _behind_last_item(journal: Journal) -> int:
-    """The position behind the last one that holds an item."""
+    """Return the position behind the last one that holds an item."""
     for number in reversed(range(journal.shards)):
         positions = marks_of(journal, number).table[:, POSITION]
         if len(positions):
@@ -169,7 +169,7 @@ def _leave_out(journal: Journal, number: int, found: Sequence[Double]) -> None:
 def _left_out(
     before: Sequence[RefusedPosition], config: Config, found: Sequence[Double]
 ) -> tuple[RefusedPosition, ...]:
-    """Those of a shard that were left out before, and more of them, in order."""
+    """Return those of a shard that were left out before, and more of them, in order."""
     more = [
         RefusedPosition.of(
             each.position,

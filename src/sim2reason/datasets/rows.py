@@ -20,11 +20,11 @@ class ItemRow(Protocol):
     """Columns by name: a mapping, or a Series, which is none."""
 
     def keys(self) -> Iterable[object]:
-        """The names of the columns."""
+        """Return the names of the columns."""
         ...
 
     def __getitem__(self, name: str, /) -> object:
-        """What a column holds."""
+        """Return what a column holds."""
         ...
 
 
@@ -32,12 +32,12 @@ class NamedRow(Protocol):
     """Columns by name in a named tuple, as ``itertuples`` of pandas gives them."""
 
     def _asdict(self) -> Mapping[str, object]:
-        """What each column holds."""
+        """Return what each column holds."""
         ...
 
 
 def answer_of(given: ItemRow | NamedRow) -> Answer:
-    """The answer of a row; DatasetError if it has none that can be read."""
+    """Return the answer of a row; DatasetError if it has none that can be read."""
     row = given if isinstance(given, ItemRow) else _unnamed(given)
     if not isinstance(row, ItemRow):
         raise DatasetError(f"{type(given).__name__} is no item; give an Item, or a row of a dataset")
@@ -54,13 +54,13 @@ def answer_of(given: ItemRow | NamedRow) -> Answer:
 
 
 def _unnamed(row: object) -> object:
-    """The mapping that a named tuple is, once; of anything else itself."""
+    """Return the mapping that a named tuple is, once; of anything else itself."""
     names = None if isinstance(row, type) else getattr(row, "_asdict", None)
     return names() if callable(names) else row
 
 
 def plain(value: object, depth: int = DEEPEST) -> object:
-    """A value of any of these packages as Python's own; a group of which nothing is known is None.
+    """Return a value of any of these packages as Python's own; a group of which nothing is known is None.
 
     What lies deeper than any item's column is left as it is.
     """

@@ -33,7 +33,7 @@ def _write(out: Path, scratch: Path, name: str, split: str, items: Sequence[Item
 
 
 def counts(items: BySplit) -> dict[str, Counts]:
-    """How many items there are of each recipe, difficulty, mode, kind, needs, quantity and split."""
+    """Return how many items there are of each recipe, difficulty, mode, kind, needs, quantity and split."""
     of_items = [
         {by: str(getattr(item, by)) for by in COUNTED} | {"quantity": item.asked.quantity} for item in flat(items)
     ]
@@ -42,12 +42,12 @@ def counts(items: BySplit) -> dict[str, Counts]:
 
 
 def flat(items: BySplit) -> list[Item]:
-    """The items of all splits."""
+    """Return the items of all splits."""
     return [item for held in items.values() for item in held]
 
 
 def read(out: Path, file: ShardFile, places: Sequence[int] | None = None) -> list[Item]:
-    """The items of one file, or those at some places, in order; DatasetError if it is not as it was written."""
+    """Return the items of one file, or those at some places, in order; DatasetError if it is not as it was written."""
     with _checked(out, file) as path:
         return store.read(path, places)
 
@@ -74,5 +74,5 @@ def _checked(out: Path, file: ShardFile) -> Generator[Path, None, None]:
 
 
 def items(out: Path, shard: Shard, split: str | None = None) -> Iterator[Item]:
-    """The items of one shard, by default of all its splits, one after the other."""
+    """Return the items of one shard, by default of all its splits, one after the other."""
     return (item for file in shard.files if split in (None, file.split) for item in read(out, file))

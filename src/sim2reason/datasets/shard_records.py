@@ -32,7 +32,7 @@ def put_shard(journal: Journal, shard: Shard, items: Placed) -> None:
 
 
 def lengthened(shard: Shard, by: Shard) -> Shard:
-    """The record of the positions of a shard and those behind them, but for what hangs on its items."""
+    """Return the record of the positions of a shard and those behind them, but for what hangs on its items."""
     refused = {kind: (*getattr(shard, kind), *getattr(by, kind)) for kind in REFUSALS}
     changed = {
         "positions": (shard.positions[0], by.positions[1]),
@@ -43,7 +43,7 @@ def lengthened(shard: Shard, by: Shard) -> Shard:
 
 
 def shard_of(journal: Journal, number: int) -> Shard:
-    """The record of a shard that stands."""
+    """Return the record of a shard that stands."""
     shard = journal.shard(number)
     if shard is None:
         raise DatasetError(f"{journal.folder}: the record of shard {number} is gone; give the same command again")
@@ -51,14 +51,14 @@ def shard_of(journal: Journal, number: int) -> Shard:
 
 
 def items_of(journal: Journal, shard: Shard) -> list[tuple[int, Item]]:
-    """The items of a shard with their positions, in order."""
+    """Return the items of a shard with their positions, in order."""
     config, items = journal.plan.config, shard_files.items(journal.out, shard)
     named = ((config.position(config.named(item.id)), item) for item in items)
     return sorted(named, key=lambda pair: pair[0])
 
 
 def marks_of(journal: Journal, number: int) -> Marks:
-    """What no other item may share with those of a shard, read from its files where it was not kept."""
+    """Return what no other item may share with those of a shard, read from its files where it was not kept."""
     known, shard = journal.marks(number), shard_of(journal, number)
     if known is None or len(known.table) != shard.rows:
         known = marks(items_of(journal, shard), scenes=len(journal.plan.config.split) > 1)

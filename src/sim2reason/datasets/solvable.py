@@ -113,7 +113,7 @@ def _finished(source: Dataset, out: Path, plan: PolicyPass, k: int, between: tup
 
 
 def _rates(source: Dataset, journal: Path, k: int, between: tuple[float, float]) -> Iterator[PassRate]:
-    """The pass rate of each problem, in the dataset's order."""
+    """Yield the pass rate of each problem, in the dataset's order."""
     answers: Mapping[str, Answer] = {item.id: item.answer for item in source}
     right = dict.fromkeys(answers, 0)
     for found in finished(journal):

@@ -26,7 +26,7 @@ def problem(item: Item) -> str:
 
 
 def question(kind: str, asked: QueryRecord) -> str:
-    """What is asked, without any number."""
+    """Return what is asked, without any number."""
     event = without_numbers(asked.event or "")
     left_open = ", ".join(dict.fromkeys(filter(None, (asked.unknown, asked.limit_of))))
     return f"{kind}\n{asked.quantity}\n{asked.subject}\n{left_open}\n{event}"
@@ -44,10 +44,10 @@ def split_of(item: Item, shares: Mapping[str, float]) -> str:
 
 
 def numbers_in(text: str) -> list[float]:
-    """What `without_numbers` takes out of a text."""
+    """Return what `without_numbers` takes out of a text."""
     return [float(found.replace("−", "-")) for found in _NUMBER.findall(text)]
 
 
 def without_numbers(text: str) -> str:
-    """The same text for all numbers."""
+    """Return the same text for all numbers."""
     return _NUMBER.sub("#", text)

@@ -110,7 +110,7 @@ def write(path: Path, items: Sequence[Item]) -> None:
 
 
 def read(path: Path, places: Sequence[int] | None = None) -> list[Item]:
-    """The items of one file, or those at some places of it, in order; OSError or ValueError if it is damaged."""
+    """Return the items of one file, or those at some places of it, in order; OSError or ValueError if it is damaged."""
     with _opened(path) as file:
         return [Item.model_validate(row) for row in _taken(file.read(use_threads=False), places).to_pylist()]
 
@@ -124,7 +124,7 @@ def rows(path: Path, columns: Sequence[str], places: Sequence[int] | None = None
 
 
 def count(path: Path) -> int:
-    """The number of rows that a file says it has; OSError or ValueError if it is damaged."""
+    """Return the number of rows that a file says it has; OSError or ValueError if it is damaged."""
     with _opened(path) as file:
         return file.metadata.num_rows
 

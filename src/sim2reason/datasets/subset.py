@@ -47,7 +47,7 @@ def put_subset(source: Dataset, out: Path, keeps: Callable[[Item], bool], filter
 
 
 def _subset(source: Dataset, out: Path, shard: Shard, keeps: Callable[[Item], bool]) -> tuple[Shard, list[Item]]:
-    """A shard without what goes, and that. Its cells still say what was asked for and made."""
+    """Return a shard without what goes, and that. Its cells still say what was asked for and made."""
     held = {file.split: shard_files.read(source.path, file) for file in shard.files}
     kept = {split: [item for item in items if keeps(item)] for split, items in held.items()}
     changed = {

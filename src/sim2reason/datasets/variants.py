@@ -46,7 +46,7 @@ class Variants(NamedTuple):
 
 
 def variant(item: Item) -> Variant:
-    """What an item is a variant of, and by which numbers."""
+    """Return what an item is a variant of, and by which numbers."""
     if item.answer.formula is not None and not item.parts:
         return Variant(problem(item), ())
     values = *_stated(item), *_asked(item)
@@ -55,7 +55,7 @@ def variant(item: Item) -> Variant:
 
 
 def _asked(item: Item) -> list[float | None]:
-    """The numbers of the question and the answer; of several parts, in the order of what they ask."""
+    """Return the numbers of the question and the answer; of several parts, in the order of what they ask."""
     if not item.parts:
         return [item.asked.time, item.asked.given, item.answer.value]
     pairs = zip(item.parts, item.answer.parts, strict=True)
@@ -64,7 +64,7 @@ def _asked(item: Item) -> list[float | None]:
 
 
 def _stated(item: Item) -> list[float | None]:
-    """The numbers of the scene that the text says; all of them where the scene is none that can be read."""
+    """Return the numbers of the scene that the text says; all of them where the scene is none that can be read."""
     try:
         parameters = load(item.scene).parameters
     except SceneError:
@@ -74,12 +74,12 @@ def _stated(item: Item) -> list[float | None]:
 
 
 def hashed(variant: Variant) -> int:
-    """The name of its problem, in 64 bits."""
+    """Return the name of its problem, in 64 bits."""
     return int.from_bytes(blake2b(variant.problem.encode(), digest_size=8, person=b"variant").digest(), "little")
 
 
 def too_close(found: Variants, distance: float) -> Iterator[tuple[int, int]]:
-    """The positions of items that come too close to one before them, each with the first such one that stays."""
+    """Yield the positions of items that come too close to one before them, each with the first such one that stays."""
     starts = np.concatenate([[0], np.cumsum(found.counts, dtype=np.int64)])
     limit = np.float32(log1p(distance))
     stay: dict[int, list[int]] = {}
@@ -93,7 +93,7 @@ def too_close(found: Variants, distance: float) -> Iterator[tuple[int, int]]:
 
 
 def _first(found: Variants, starts: NDArray[np.int64], row: int, others: list[int], limit: np.float32) -> int | None:
-    """The first of some items whose numbers are all within the limit."""
+    """Return the first of some items whose numbers are all within the limit."""
     rows = np.array(others, dtype=np.int64)
     rows = rows[found.problems[rows] == found.problems[row]]  # two problems may meet in a cell by chance
     places = np.arange(int(found.counts[row]))
@@ -132,7 +132,7 @@ def _neighbours(found: Variants, starts: NDArray[np.int64], limit: float) -> Ite
 def _cells(
     found: Variants, starts: NDArray[np.int64], rows: NDArray[np.int64], grid: int, limit: float
 ) -> NDArray[np.uint64]:
-    """The names of the cells of some items in one grid, which hang on the problem as well."""
+    """Return the names of the cells of some items in one grid, which hang on the problem as well."""
     counts = found.counts[rows]
     ends = np.cumsum(counts, dtype=np.int64)
     place = np.arange(ends[-1] if len(ends) else 0) - np.repeat(ends - counts, counts)  # of a number among its item's
@@ -147,13 +147,13 @@ def _cells(
 
 
 def twice(values: NDArray[np.uint64]) -> NDArray[np.uint64]:
-    """What occurs more than once, in order; sorts `values`."""
+    """Return what occurs more than once, in order; sorts `values`."""
     values.sort()
     return np.unique(values[1:][values[1:] == values[:-1]])
 
 
 def holds(ordered: NDArray[np.uint64], wanted: NDArray[np.uint64]) -> NDArray[np.bool_]:
-    """Which of the wanted values are among some in order."""
+    """Return which of the wanted values are among some in order."""
     if not len(ordered):
         return np.zeros(len(wanted), dtype=np.bool_)
     places = np.minimum(np.searchsorted(ordered, wanted), len(ordered) - 1)

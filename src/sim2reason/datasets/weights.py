@@ -18,7 +18,7 @@ REMEDY = "write KIND, MODE.KIND, RECIPE.KIND or RECIPE.MODE.KIND, as in reverse.
 
 
 def weight(kind: str, mode: str, recipe: str, ordered: Mapping[str, float]) -> float:
-    """How often a kind is asked, compared with others: as ordered, else as its class and the recipe declare."""
+    """Return how often a kind is asked, compared with others: as ordered, else as its class and the recipe declare."""
     for name in (f"{recipe}.{mode}.{kind}", f"{recipe}.{kind}", f"{mode}.{kind}", kind):
         if name in ordered:
             return ordered[name]
@@ -28,7 +28,7 @@ def weight(kind: str, mode: str, recipe: str, ordered: Mapping[str, float]) -> f
 
 
 def in_drawn_order(mode: str, recipe: str, ordered: Weights, rng: np.random.Generator) -> list[str]:
-    """All kinds of a mode but those of weight 0, each the next one by its weight among those that are left.
+    """Return all kinds of a mode but those of weight 0, each the next one by its weight among those that are left.
 
     Where the first one that can be had is taken, each is by its weight among those that can be had.
     """

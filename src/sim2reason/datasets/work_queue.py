@@ -41,11 +41,11 @@ class WorkQueue:
 
     @property
     def open(self) -> bool:
-        """Whether some range that was given is not complete."""
+        """Return whether some range that was given is not complete."""
         return bool(self._open)
 
     def next(self) -> Batch | None:
-        """The next batch; None if there is none now (a reply may bring more)."""
+        """Return the next batch; None if there is none now (a reply may bring more)."""
         positions = [self._again.popleft()] if self._again else next(self._fresh, ())
         return [(k, self._config.request(k)) for k in positions] or None
 

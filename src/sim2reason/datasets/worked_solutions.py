@@ -13,7 +13,7 @@ from sim2reason.solutions.writing.asked_units import told_in
 
 
 def worked(request: Request, found: CertifiedQuestion) -> Solution:
-    """The solution of a question that passed, in the units of its text; one without an answer says why.
+    """Return the solution of a question that passed, in the units of its text; one without an answer says why.
 
     Where there are several parts, it is that of all.
     """
@@ -34,14 +34,14 @@ def worked_parts(request: Request, found: CertifiedQuestion, *, whole: bool = Fa
 
 
 def _in_units(request: Request, found: CertifiedQuestion, asked: Question, solution: Solution) -> Solution:
-    """The solution of one question in the units of the whole text."""
+    """Return the solution of one question in the units of the whole text."""
     answers = [part.certified.question for part in found.parts] or [asked]
     said = ((question.answer, question.unit) for question in answers)
     return told_in(system_named(request.units).beside(found.prompt, *said), solution, asked.unit)
 
 
 def recorded(solution: Solution) -> tuple[SolutionRecord | None, str]:
-    """Its record, or None and why there is none."""
+    """Return its record, or None and why there is none."""
     if solution.answer is None:
         return None, solution.reason
     steps = tuple(

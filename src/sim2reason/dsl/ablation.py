@@ -33,7 +33,7 @@ def held(mechanism: Mechanism, name: str) -> Mechanism:
 
 
 def left_out(mechanism: Mechanism, name: str) -> Mechanism:
-    """All but without a body: it has next to no mass, meets nothing, and nothing but lines acts on it."""
+    """Return all but without a body: it has next to no mass, meets nothing, and nothing but lines acts on it."""
     body = mechanism.body[name]
     light = replace(
         body, mass=NEARLY_NOTHING * body.mass, inertia=tuple(NEARLY_NOTHING * part for part in body.inertia)
@@ -49,20 +49,20 @@ def left_out(mechanism: Mechanism, name: str) -> Mechanism:
 
 
 def with_bodies(mechanism: Mechanism, names: Iterable[str], change: Callable[[RigidBody], RigidBody]) -> Mechanism:
-    """Some bodies changed."""
+    """Return some bodies changed."""
     chosen = set(names)
     bodies = tuple(change(body) if body.name in chosen else body for body in mechanism.bodies)
     return replace(mechanism, bodies=bodies)
 
 
 def with_lines(mechanism: Mechanism, names: Iterable[str], change: Callable[[Line], Line]) -> Mechanism:
-    """Some lines changed."""
+    """Return some lines changed."""
     chosen = set(names)
     return replace(mechanism, lines=tuple(change(line) if line.name in chosen else line for line in mechanism.lines))
 
 
 def inertialess(body: RigidBody) -> RigidBody:
-    """A body whose mass is all at its centre of mass."""
+    """Return a body whose mass is all at its centre of mass."""
     return replace(body, inertia=NO_INERTIA)
 
 
@@ -85,7 +85,7 @@ EVEN = 1e-9  # what is vertical in a level direction
 
 
 def stuck_bodies(mechanism: Mechanism) -> tuple[str, ...]:
-    """The bodies that have coordinates, and yet nothing lets them begin to move."""
+    """Return the bodies that have coordinates, and yet nothing lets them begin to move."""
     frames = start(mechanism)
     ways = motions(mechanism, frames)
     stuck: list[str] = []
@@ -98,7 +98,7 @@ def stuck_bodies(mechanism: Mechanism) -> tuple[str, ...]:
 
 
 def is_weightless(mechanism: Mechanism) -> bool:
-    """Whether something can move that has no inertia, such as a light pulley on which nothing hangs."""
+    """Return whether something can move that has no inertia, such as a light pulley on which nothing hangs."""
     frames = start(mechanism)
     ways = motions(mechanism, frames)
     inertia = np.zeros((len(ways), len(ways)))
@@ -138,7 +138,7 @@ def motions(mechanism: Mechanism, frames: Frames) -> NDArray[np.float64]:
 
 
 def weighs(mechanism: Mechanism) -> bool:
-    """Whether g can matter: something presses on a face, or rises and falls as it slides or turns."""
+    """Return whether g can matter: something presses on a face, or rises and falls as it slides or turns."""
     return mechanism.gravity != ZERO and would_weigh(mechanism)
 
 
@@ -151,7 +151,7 @@ def would_weigh(mechanism: Mechanism) -> bool:
 
 
 def _rises(frame: BodyFrame, center: Point) -> bool:
-    """Whether some coordinate can move a point up or down, now or once others have turned it."""
+    """Return whether some coordinate can move a point up or down, now or once others have turned it."""
     for step in frame.steps:
         if step.pivot is None:
             if abs(step.axis[2]) > EVEN or any(abs(hinge.axis[2]) < 1.0 - EVEN for hinge in frame.hinges):

@@ -11,7 +11,7 @@ V = TypeVar("V")
 
 
 def lookup(value: Any, path: str) -> Any:
-    """What stands at an address below a value; SceneError names the first step that leads nowhere."""
+    """Return what stands at an address below a value; SceneError names the first step that leads nowhere."""
     walked: list[str] = []
     for step in path.split("."):
         walked.append(step)
@@ -23,14 +23,14 @@ def lookup(value: Any, path: str) -> Any:
 
 
 def _members(value: Any) -> dict[str, Any]:
-    """All that a value holds, by the next step of an address."""
+    """Return all that a value holds, by the next step of an address."""
     if isinstance(value, tuple):
         return {str(index): member for index, member in enumerate(value)}  # type: ignore[reportUnknownArgumentType]
     return {name: getattr(value, name) for name in type(value).model_fields} if isinstance(value, Model) else {}
 
 
 def changed(value: V, news: Mapping[str, object]) -> V:
-    """The same value with others at some addresses, validated once; None in a tuple takes a member out."""
+    """Return the same value with others at some addresses, validated once; None in a tuple takes a member out."""
     here, below = dict[str, object](), dict[str, dict[str, object]]()
     for path, new in news.items():
         step, _, rest = path.partition(".")

@@ -33,7 +33,7 @@ class Spherical:
     offset: float = 0.0
 
     def reach(self, way: Vector) -> float:
-        """How far it extends along a unit vector, m."""
+        """Return how far it extends along a unit vector, m."""
         del way
         return self.radius
 
@@ -54,7 +54,7 @@ class Axial:
     step: float = 0.0
 
     def reach(self, way: Vector) -> float:
-        """How far it, or the cylinder about its edges, extends along a unit vector, m."""
+        """Return how far it, or the cylinder about its edges, extends along a unit vector, m."""
         return self.radius * hypot(way[0], way[1]) + 0.5 * self.height * abs(way[2])
 
 
@@ -67,7 +67,7 @@ class Capped:
     wall: float = 0.0
 
     def reach(self, way: Vector) -> float:
-        """How far it extends along a unit vector from the centre of its flat face, m."""
+        """Return how far it extends along a unit vector from the centre of its flat face, m."""
         center = self.height - self.radius  # of the sphere, along z
         if center + self.radius * way[2] >= 0.0:
             return center * way[2] + self.radius
@@ -83,7 +83,7 @@ class Rectangular:
     z: float
 
     def reach(self, way: Vector) -> float:
-        """How far it extends along a unit vector: to its farthest corner, m."""
+        """Return how far it extends along a unit vector: to its farthest corner, m."""
         return 0.5 * (self.x * abs(way[0]) + self.y * abs(way[1]) + self.z * abs(way[2]))
 
 
@@ -186,7 +186,7 @@ class Body(Model):
 
     @property
     def look(self) -> BodyLook | None:
-        """How a drawing shows it; None where its class declares nothing, and a drawing says so."""
+        """Return how a drawing shows it; None where its class declares nothing, and a drawing says so."""
         return None
 
     def suits(self, noun: str, bodies: Mapping[str, "Body"]) -> bool:
@@ -232,7 +232,7 @@ class Body(Model):
 
     @classmethod
     def introduced_words(cls) -> tuple[Word, ...]:
-        """The words that every introduction uses: what they can say specially need not be said again."""
+        """Return the words that every introduction uses: what they can say specially need not be said again."""
         return tuple(
             word
             for name, word in cls.words.items()
@@ -240,7 +240,7 @@ class Body(Model):
         )
 
     def told_by_word(self, parameter: str) -> bool:
-        """Whether this body's introduction tells a number by a special word, as smooth tells µ = 0."""
+        """Return whether this body's introduction tells a number by a special word, as smooth tells µ = 0."""
         value = getattr(self, parameter)
         return any(word.parameter == parameter and value in word.special for word in self.introduced_words())
 

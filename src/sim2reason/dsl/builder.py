@@ -330,12 +330,12 @@ class Builder(Collector):
     """A mechanism under construction."""
 
     def room(self, name: str = "", at: Vector = ZERO) -> Frame:
-        """The room, for one entity: `name` goes before all its names, `at` is where it stands."""
+        """Return the room, for one entity: `name` goes before all its names, `at` is where it stands."""
         self.origins[name] = at
         return Frame(self, name, None, at)
 
     def mount(self, name: str, site: str, *, stiff: bool) -> Frame:
-        """The body that carries a site, for an entity that stands there; `stiff`: it can't move on it."""
+        """Return the body that carries a site, for an entity that stands there; `stiff`: it can't move on it."""
         carrier, where = self.carrier(site), self.position(site)
         self.origins[name] = where
         if stiff:

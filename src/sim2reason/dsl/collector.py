@@ -81,12 +81,12 @@ class Collector:
         return tuple(self._bodies)
 
     def position(self, site: str) -> Vector:
-        """Where a site stands in the room at the start."""
+        """Return where a site stands in the room at the start."""
         found = self._sites[site]
         return add(self._origin[found.body], found.at)
 
     def carrier(self, site: str) -> str | None:
-        """The body that a site is on; None for the room."""
+        """Return the body that a site is on; None for the room."""
         return self._sites[site].body
 
     @cached_property
@@ -96,7 +96,7 @@ class Collector:
         return (min(across), max(across)) if across else (0.0, 0.0)
 
     def relative(self, body: str | None, where: Vector) -> Vector:
-        """A point of the room as seen from a body's centre of mass at the start."""
+        """Return a point of the room as seen from a body's centre of mass at the start."""
         origin = self._origin[body]
         return (where[0] - origin[0], where[1] - origin[1], where[2] - origin[2])
 
@@ -211,7 +211,7 @@ class Collector:
             raise SceneError(name, "two things have this name", "give each body and string its own")
 
     def finish(self) -> Mechanism:
-        """The mechanism of everything that was said."""
+        """Return the mechanism of everything that was said."""
         return Mechanism(
             tuple(self._bodies.values()),
             tuple(self._sites.values()),

@@ -40,19 +40,19 @@ class SentenceWriter(Protocol):
 
     @property
     def builder(self) -> Builder:
-        """Where sites are, and which way strings must leave them."""
+        """Return where sites are, and which way strings must leave them."""
         ...
 
     def choose(self, options: tuple[str, ...]) -> str:
-        """One of several wordings."""
+        """Return one of several wordings."""
         ...
 
     def render(self, template: str, address: str) -> str:
-        """A template of the entity or part at an address."""
+        """Return a template of the entity or part at an address."""
         ...
 
     def at(self, address: str) -> str:
-        """What the text has for an address: a number, a body, a list of bodies."""
+        """Return what the text has for an address: a number, a body, a list of bodies."""
         ...
 
     @property
@@ -99,7 +99,7 @@ class Routes(Protocol[S]):
     """What a connection's sentence may name next."""
 
     def legs(self, kind: "type[Connection]", state: S, links: tuple[Link, ...]) -> Iterator[Leg[S]]:
-        """All ways in which a kind of connection can go on after `links`; without any, all ways to begin."""
+        """Return all ways in which a kind of connection can go on after `links`; without any, all ways to begin."""
         ...
 
 
@@ -110,15 +110,15 @@ class SentenceMatcher(Protocol[S]):
     reach: int
 
     def may_be(self, place: int, template: str) -> bool:
-        """Whether all fixed words of a template stand somewhere in a sentence."""
+        """Return whether all fixed words of a template stand somewhere in a sentence."""
         ...
 
     def literal(self, text: str, at: int, wanted: str) -> int | None:
-        """Where `wanted` ends if it stands at `at`."""
+        """Return where `wanted` ends if it stands at `at`."""
         ...
 
     def template(self, text: str, at: int, template: str, owner: str, state: S) -> Iterator[tuple[int, S]]:
-        """All ways in which a template of the part at `owner` can stand at `at`."""
+        """Return all ways in which a template of the part at `owner` can stand at `at`."""
         ...
 
 
@@ -144,17 +144,17 @@ class Connection(Model):
 
     @classmethod
     def admits(cls, port: Port, index: int, last: int) -> bool:
-        """Whether its link at `index` may lead to a port."""
+        """Return whether its link at `index` may lead to a port."""
         del index, last
         return isinstance(port, cls.joins)
 
     @property
     def spacing(self) -> float:
-        """How far apart neighbours on it stand, m."""
+        """Return how far apart neighbours on it stand, m."""
         return FREE
 
     def brings(self, joint: "Joint", builder: Builder) -> dict[str, Body]:
-        """The bodies that the connection itself brings, by address."""
+        """Return the bodies that the connection itself brings, by address."""
         raise NotImplementedError
 
     def build(self, joint: "Joint", builder: Builder) -> None:
@@ -162,14 +162,14 @@ class Connection(Model):
         raise NotImplementedError
 
     def describe(self, joint: "Joint", writer: SentenceWriter) -> str:
-        """Its sentence."""
+        """Return its sentence."""
         raise NotImplementedError
 
     @classmethod
     def parse(
         cls, name: str, place: int, state: S, matcher: SentenceMatcher[S], routes: Routes[S]
     ) -> Iterator[ParsedSentence[S]]:
-        """Its sentence read back: all that the piece at `place` can mean as what `describe` says."""
+        """Return its sentence read back: all that the piece at `place` can mean as what `describe` says."""
         raise NotImplementedError
 
 
@@ -182,7 +182,7 @@ class Joint:
     stops: tuple[Stop, ...]
 
     def brings(self, builder: Builder) -> dict[str, Body]:
-        """The bodies that the connection itself brings, by address."""
+        """Return the bodies that the connection itself brings, by address."""
         return self.connection.brings(self, builder)
 
     def build(self, builder: Builder) -> None:
@@ -190,7 +190,7 @@ class Joint:
         self.connection.build(self, builder)
 
     def describe(self, writer: SentenceWriter) -> str:
-        """Its sentence."""
+        """Return its sentence."""
         return self.connection.describe(self, writer)
 
 
@@ -202,7 +202,7 @@ class Inside:
     stops: tuple[str, ...]
 
     def made(self) -> Connection:
-        """The connection, with the default of each of its numbers."""
+        """Return the connection, with the default of each of its numbers."""
         return self.kind(links=())
 
 

@@ -31,7 +31,7 @@ def _changing(mechanism: Mechanism, frames: Frames | None) -> str:
 
 
 def may_turn_back(mechanism: Mechanism) -> bool:
-    """Whether something may: what is sent off, collides, or is driven by a force that changes."""
+    """Return whether something may: what is sent off, collides, or is driven by a force that changes."""
     sent = any(coordinate.speed for coordinate in mechanism.coordinates)
     return sent or bool(mechanism.meetings or changing(mechanism))
 
@@ -57,7 +57,7 @@ def turns_one_way(mechanism: Mechanism, name: str) -> bool:
 
 
 def _turning_body(mechanism: Mechanism, frames: Frames, body: RigidBody) -> str:
-    """A body whose centre of mass a hinge moves, or whose own ways of moving it turns."""
+    """Return a body whose centre of mass a hinge moves, or whose own ways of moving it turns."""
     frame = frames[body.name]
     if frame.spin is None:
         return ""
@@ -88,7 +88,7 @@ def _parallel(one: Vector, other: Vector) -> bool:
 
 
 def bending(line: Line, frames: Frames) -> str:
-    """A line that turns as its sites move."""
+    """Return a line that turns as its sites move."""
     try:
         pieces = frames.pieces(line)
     except ZeroDivisionError:  # two sites coincide, which engines refuse for themselves
@@ -101,7 +101,7 @@ def bending(line: Line, frames: Frames) -> str:
 
 
 def straight(mechanism: Mechanism, frames: Frames, first: str, last: str) -> Triple | None:
-    """The unit vector from one site to another where it never turns, since only slides along it move them."""
+    """Return the unit vector from one site to another where it never turns, since only slides along it move them."""
     run = frames.distance(first, last)
     for number, moved in run.moved.items():
         if not _moved(moved):
@@ -126,5 +126,5 @@ def steady(mechanism: Mechanism) -> dict[tuple[str, str], Triple]:
 
 
 def _slides_after_a_hinge(frame: BodyFrame) -> bool:
-    """Whether a body slides on one that turns, so that a hinge may move it later that does not at the start."""
+    """Return whether a body slides on one that turns, so that a hinge may move it later that does not at the start."""
     return any(one.pivot is not None and other.pivot is None for one, other in pairwise(frame.steps))

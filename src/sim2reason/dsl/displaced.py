@@ -25,7 +25,7 @@ SAME = 1e-9  # m
 
 
 def displaced(mechanism: Mechanism, coordinates: Sequence[float], speeds: Sequence[float]) -> Mechanism:
-    """The mechanism as it is at other `coordinates` (n,), m or rad, where its motion begins with `speeds` (n,).
+    """Return the mechanism as it is at other `coordinates` (n,), m or rad, where its motion begins with `speeds` (n,).
 
     What acts does not change: a string is as long as it was, a spring has the natural length that it had. Time begins
     anew, and so does what depends on it.
@@ -58,7 +58,7 @@ class _Displaced:
         self.began = Frames(mechanism, rest, rest, math, still=True)
 
     def body(self, body: RigidBody) -> RigidBody:
-        """A body: its frame has the axes of the room again."""
+        """Return a body: its frame has the axes of the room again."""
         frame, carrier = self.frames[body.name], self.frames[body.parent]
         return replace(
             body,
@@ -86,16 +86,16 @@ class _Displaced:
         )
 
     def site(self, site: Site) -> Site:
-        """A site."""
+        """Return a site."""
         return replace(site, at=self.frames[site.body].turned(site.at)) if site.body is not None else site
 
     def face(self, face: Face) -> Face:
-        """A face: its normal turns with the body or with its parent."""
+        """Return a face: its normal turns with the body or with its parent."""
         carrier = face.subject if face.turning else self.mechanism.body[face.subject].parent
         return replace(face, normal=self.frames[carrier].turned(face.normal))
 
     def line(self, line: Line) -> Line:
-        """A line: what it may still give out, and what wheels have wound up, belongs to its law from now on."""
+        """Return a line: what it may still give out, and what wheels have wound up, belongs to its law from now on."""
         return replace(line, law=self._law(line))
 
     def _law(self, line: Line) -> LineLaw:

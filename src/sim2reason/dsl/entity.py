@@ -194,20 +194,20 @@ def entity(cls: type[E]) -> type[E]:
 
 @cache
 def ports_of(cls: type[Part]) -> Mapping[str, Port]:
-    """The ports that a class declares, by name, in the order of declaration."""
+    """Return the ports that a class declares, by name, in the order of declaration."""
     members = {name: member for base in reversed(cls.__mro__) for name, member in vars(base).items()}
     return {name: member for name, member in members.items() if isinstance(member, Port)}
 
 
 @cache
 def inside(cls: type[Part]) -> Mapping[str, Inside]:
-    """The connections inside an entity, by name."""
+    """Return the connections inside an entity, by name."""
     return {name: member for name, member in vars(cls).items() if isinstance(member, Inside)}
 
 
 @cache
 def outer_ports(cls: type[Part]) -> Mapping[str, Port]:
-    """The ports that a connection can use: those that nothing inside and no chain of the class uses up."""
+    """Return the ports that a connection can use: those that nothing inside and no chain of the class uses up."""
     declared = ports_of(cls)
     used = {stop for inner in inside(cls).values() for stop in inner.stops}
     used |= {stop for port in declared.values() if isinstance(port, Chain) for stop in port.stops}
@@ -215,7 +215,7 @@ def outer_ports(cls: type[Part]) -> Mapping[str, Port]:
 
 
 def stops_of(part: Part, name: str, address: str, *, flipped: bool = False) -> list[Stop]:
-    """A port of an instance as the stops that a string makes there, from the inside out."""
+    """Return a port of an instance as the stops that a string makes there, from the inside out."""
     head, _, rest = name.partition(".")
     if rest:
         return stops_of(getattr(part, head), rest, f"{address}.{head}", flipped=flipped)
@@ -271,7 +271,7 @@ def _told(cls: type[Part], saying: Saying) -> set[str]:
 
 
 def parts_at(part: Part, field: str) -> dict[str, Part]:
-    """The parts that a field holds, one or several, each by its path from the part that holds them."""
+    """Return the parts that a field holds, one or several, each by its path from the part that holds them."""
     held: Any = getattr(part, field)
     several = isinstance(held, tuple)
     members = cast("tuple[Any, ...]", held) if several else (held,)
@@ -280,7 +280,7 @@ def parts_at(part: Part, field: str) -> dict[str, Part]:
 
 
 def _clauses(cls: type[Part], port: Port) -> set[str]:
-    """What all clauses of a port tell, whichever of them is used."""
+    """Return what all clauses of a port tell, whichever of them is used."""
     if isinstance(port, Pass):
         return _common(cls, (port.passes,))
     if isinstance(port, StringEnd):
@@ -290,7 +290,7 @@ def _clauses(cls: type[Part], port: Port) -> set[str]:
 
 
 def phrase_of(port: Port) -> str:
-    """What a connection that ends at a port calls it; empty where it has no words."""
+    """Return what a connection that ends at a port calls it; empty where it has no words."""
     if isinstance(port, Attachment):
         return port.tied
     return port.place if isinstance(port, Mount) else port.held if isinstance(port, Base) else ""
@@ -302,7 +302,7 @@ def _common(cls: type[Part], templates: tuple[str, ...]) -> set[str]:
 
 
 def declared_numbers(cls: type[Part]) -> set[str]:
-    """The numbers and bodies' numbers that the lines of a class itself have to tell; parts tell their own."""
+    """Return the numbers and bodies' numbers that the lines of a class itself have to tell; parts tell their own."""
     found: set[str] = set()
     for name, kind in field_types(cls).items():
         if (kind.measure is not None or kind.words) and not kind.hidden:
@@ -316,7 +316,7 @@ def declared_numbers(cls: type[Part]) -> set[str]:
 
 
 def tells(cls: type[Part], slot: Slot) -> set[str]:
-    """The declared numbers that a slot tells; TypeError for a path that leads nowhere."""
+    """Return the declared numbers that a slot tells; TypeError for a path that leads nowhere."""
     if slot.kind in ("text", "agree", "some", "count", "plural"):
         if slot.path and slot.path.split(".")[0] not in cls.model_fields:
             raise TypeError(f"{cls.__name__}: {slot.path!r} is not declared")
@@ -338,7 +338,7 @@ def tells(cls: type[Part], slot: Slot) -> set[str]:
 
 
 def _texts(word: Word) -> tuple[str, ...]:
-    """All that a word can say."""
+    """Return all that a word can say."""
     return (*word.special.values(), *((word.otherwise,) if word.otherwise else ()))
 
 

@@ -228,7 +228,7 @@ class Resistance:
         return False
 
     def moved(self, by: Vector) -> "Resistance":
-        """Return the same law, since it does not depend on place."""
+        """Return the law of a translated scene: itself, since a resistance does not depend on position."""
         del by
         return self
 

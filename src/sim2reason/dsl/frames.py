@@ -64,13 +64,13 @@ class BodyFrame:
     lift: Gradient
 
     def turned(self, vector: Triple) -> Triple:
-        """A vector of this frame in room axes."""
+        """Return a vector of this frame in room axes."""
         if self.rotation is None:
             return vector
         return (product(self.rotation[0], vector), product(self.rotation[1], vector), product(self.rotation[2], vector))
 
     def unturned(self, vector: Triple) -> Triple:
-        """A vector in room axes in those of this frame."""
+        """Return a vector in room axes in those of this frame."""
         if self.rotation is None:
             return vector
         a, b, c = self.rotation
@@ -78,7 +78,7 @@ class BodyFrame:
         return (product(columns[0], vector), product(columns[1], vector), product(columns[2], vector))
 
     def point(self, at: Triple = ZERO) -> Point:
-        """A point fixed in this frame."""
+        """Return a point fixed in this frame."""
         arm = self.turned(at)
         place = plus(self.origin, arm)
         if self.spin is None:
@@ -104,7 +104,7 @@ class BodyFrame:
 
     @property
     def turning(self) -> Turning:
-        """How the frame turns."""
+        """Return how the frame turns."""
         gradient = {step.number: step.axis for step in self.steps if step.pivot is not None}
         return Turning(self.spin or ZERO, self.spin_bias, gradient)
 
@@ -139,7 +139,7 @@ class Frames:
         self._pieces: dict[str, tuple[Distance, ...]] = {}
 
     def __getitem__(self, body: str | None) -> BodyFrame:
-        """The frame of a body; that of the room for None. It is worked out when it is asked for."""
+        """Return the frame of a body; that of the room for None. It is worked out when it is asked for."""
         found = self._frames.get(body)
         if found is None:
             assert body is not None
@@ -148,14 +148,14 @@ class Frames:
         return found
 
     def center(self, body: str) -> Point:
-        """The centre of mass of a body."""
+        """Return the centre of mass of a body."""
         found = self._centers.get(body)
         if found is None:
             found = self._centers[body] = self[body].point(self._mechanism.body[body].center)
         return found
 
     def site(self, name: str) -> Point:
-        """A site."""
+        """Return a site."""
         found = self._sites.get(name)
         if found is None:
             site = self._mechanism.site[name]
@@ -171,7 +171,7 @@ class Frames:
         return found
 
     def pieces(self, line: Line) -> tuple[Distance, ...]:
-        """The straight pieces of a line, from end to end; ZeroDivisionError as `distance` has."""
+        """Return the straight pieces of a line, from end to end; ZeroDivisionError as `distance` has."""
         found = self._pieces.get(line.name)
         if found is None:
             found = tuple([self.distance(first, last) for first, last in pairwise(line.through)])
@@ -179,7 +179,7 @@ class Frames:
         return found
 
     def length(self, line: Line) -> Number:
-        """The sum of the distances between the sites of a line, m."""
+        """Return the sum of the distances between the sites of a line, m."""
         total: Number = 0.0
         for first, last in pairwise(line.through):
             apart = minus(self.site(last).place, self.site(first).place)
@@ -187,13 +187,13 @@ class Frames:
         return total
 
     def normal(self, subject: str) -> Triple:
-        """The direction out of the face on which a body lies, in room axes."""
+        """Return the direction out of the face on which a body lies, in room axes."""
         face = self._mechanism.contacts[subject]
         carrier = subject if face.turning else self._mechanism.body[subject].parent
         return self[carrier].turned(face.normal)
 
     def _at_rest(self, body: RigidBody) -> BodyFrame:
-        """The frame of a body where nothing has moved yet, so that it has the axes of the room."""
+        """Return the frame of a body where nothing has moved yet, so that it has the axes of the room."""
         carrier = self[body.parent]
         origin = carrier.origin if body.at is ZERO else plus(carrier.origin, body.at)
         steps, spin, lift = carrier.steps, carrier.spin, carrier.lift
@@ -257,7 +257,7 @@ class Frames:
 
 
 def _along(axis: Triple, size: Number) -> Triple:
-    """A number times an axis; what is zero along it stays a plain number, where others are arrays."""
+    """Return a number times an axis; what is zero along it stays a plain number, where others are arrays."""
     x, y, z = axis
     if type(x) is float and type(y) is float and type(z) is float:
         return (size * x if x else 0.0, size * y if y else 0.0, size * z if z else 0.0)
@@ -265,14 +265,14 @@ def _along(axis: Triple, size: Number) -> Triple:
 
 
 def _shifted(frame: BodyFrame, arm: Triple) -> BodyFrame:
-    """The frame with its origin at `arm`, in room axes, from the present one."""
+    """Return the frame with its origin at `arm`, in room axes, from the present one."""
     velocity, bias = frame.carried(arm)
     origin = plus(frame.origin, arm)
     return BodyFrame(origin, frame.rotation, velocity, bias, frame.spin, frame.spin_bias, frame.steps, frame.lift)
 
 
 def rotated(rotation: Rotation | None, axis: Vector, angle: Number, maths: Maths) -> Rotation:
-    """A rotation after which a turn about `axis`, a unit vector of the rotated frame, follows (Rodrigues)."""
+    """Return a rotation after which a turn about `axis`, a unit vector of the rotated frame, follows (Rodrigues)."""
     c, s = maths.cos(angle), maths.sin(angle)
     x, y, z = axis
 
@@ -294,6 +294,6 @@ def rotated(rotation: Rotation | None, axis: Vector, angle: Number, maths: Maths
 
 
 def start(mechanism: Mechanism) -> Frames:
-    """The geometry at the start of the motion, as if nothing moved."""
+    """Return the geometry at the start of the motion, as if nothing moved."""
     rest = [0.0] * len(mechanism.coordinates)
     return Frames(mechanism, rest, rest, math, still=True)

@@ -17,7 +17,7 @@ GAP = 1.0  # m between entities that no straight string aligns; only for looks
 
 
 def opposite(one: Vector | None, other: Vector | None) -> bool:
-    """Whether a straight string can leave two sites in these directions; None means any direction."""
+    """Return whether a straight string can leave two sites in these directions; None means any direction."""
     return one is None or other is None or hypot(*add(one, other)) < 1e-9
 
 
@@ -104,7 +104,7 @@ def _pairs(stops: Sequence[Stop], spacing: float) -> list[Neighbours]:
 
 
 def _first(stop: Stop) -> str:
-    """The site that a connection reaches first: an end is listed from the inside out, so its last."""
+    """Return the site that a connection reaches first: an end is listed from the inside out, so its last."""
     return stop.sites[-1] if isinstance(stop.port, StringEnd) else stop.sites[0]
 
 

@@ -17,7 +17,7 @@ from sim2reason.record import record
 
 
 def bounds(metadata: Iterable[object]) -> tuple[float, float]:
-    """The least and the greatest float that all of the bounds in an annotation's metadata allow."""
+    """Return the least and the greatest float that all of the bounds in an annotation's metadata allow."""
     least, most = -inf, inf
     for bound in metadata:
         if isinstance(bound, Ge):
@@ -101,7 +101,7 @@ class FieldType:
 
 
 def _flatten(annotation: Any) -> Iterator[Any]:  # annotations are untyped by nature
-    """The leaves and metadata of an annotation, looking into Annotated, unions and variable-length tuples."""
+    """Yield the leaves and metadata of an annotation, looking into Annotated, unions and variable-length tuples."""
     origin = get_origin(annotation)
     if origin is Annotated:
         first, *metadata = get_args(annotation)
@@ -123,7 +123,7 @@ def _is_model(leaf: object) -> TypeGuard[type[Model]]:
 
 @cache
 def field_types(model: type[Model]) -> dict[str, FieldType]:
-    """The fields of a model class by name; a later `Range` of one field replaces an earlier one."""
+    """Return the fields of a model class by name; a later `Range` of one field replaces an earlier one."""
     found: dict[str, FieldType] = {}
     for name, info in model.model_fields.items():
         leaves = [*_flatten(info.annotation), *info.metadata]
@@ -148,13 +148,13 @@ def field_types(model: type[Model]) -> dict[str, FieldType]:
 
 
 def as_said(model: type[Model], name: str, value: float) -> float:
-    """A value rounded as the text will say that field of a class, so that what is said is what is simulated."""
+    """Return a value rounded as the text will say that field of a class, so that what is said is what is simulated."""
     measure = field_types(model)[name].measure
     return measure.round(value) if measure is not None else value
 
 
 def parameters(value: Model, prefix: str = "") -> Iterator[Parameter]:
-    """Every declared number under a value, with its address, in the order of declaration."""
+    """Yield every declared number under a value, with its address, in the order of declaration."""
     for name, kind in field_types(type(value)).items():
         address, held = f"{prefix}.{name}" if prefix else name, getattr(value, name)
         if kind.measure is not None:
@@ -190,7 +190,7 @@ def draw(model: type[M], rng: np.random.Generator, choices: Choices, given: Mapp
 def _accepted(
     model: type[M], rng: np.random.Generator, choices: Choices, given: Mapping[str, object], around: Mapping[str, Any]
 ) -> M:
-    """A value that its validators accept; `around` has what was drawn of whatever will hold it."""
+    """Return a value that its validators accept; `around` has what was drawn of whatever will hold it."""
     refused = ""
     for _ in range(REDRAWS):
         try:
@@ -231,14 +231,14 @@ def _is_there(model: type[Model], name: str, rng: np.random.Generator, choices: 
 def _kept(
     model: type[Model], fitted: Mapping[str, object], choices: Choices, given: Mapping[str, object]
 ) -> dict[str, object]:
-    """What was fitted, without what was given or chosen; how many there are is no choice of what they are."""
+    """Return what was fitted, without what was given or chosen; how many there are is no choice of what they are."""
     types, free = field_types(model), fitted.keys() - given.keys()
     chosen = {name: _chosen(model, name, types[name], choices) for name in free}
     return {name: fitted[name] for name in fitted if name in free and isinstance(chosen[name], Count | None)}
 
 
 def _chosen(model: type[Model], name: str, kind: FieldType, choices: Choices) -> Choice:
-    """What a recipe has chosen for a field."""
+    """Return what a recipe has chosen for a field."""
     return _choice(choices, f"{model.__name__}.{name}", name, *((kind.measure.name,) if kind.measure else ()))
 
 
@@ -249,7 +249,7 @@ def _choice(choices: Choices, *names: str) -> Choice:
 def _draw_field(
     model: type[Model], name: str, rng: np.random.Generator, choices: Choices, known: Mapping[str, Any]
 ) -> object:
-    """A value for a field, with what is `known` of the fields before it."""
+    """Return a value for a field, with what is `known` of the fields before it."""
     kind = field_types(model)[name]
     picks = _chosen(model, name, kind, choices)
     if kind.measure is not None:
@@ -281,6 +281,6 @@ def _draw_field(
 
 
 def rebuilt(value: M, **fields: object) -> M:
-    """The same value with some fields replaced, validated again."""
+    """Return the same value with some fields replaced, validated again."""
     held = {name: getattr(value, name) for name in type(value).model_fields}
     return type(value)(**{**held, **fields})

@@ -25,7 +25,7 @@ class Related(Protocol):
 
     @property
     def size(self) -> Callable[[Mapping[str, Any]], int] | None:
-        """How many members it has, where other fields demand it."""
+        """Return how many members it has, where other fields demand it."""
         ...
 
 
@@ -39,7 +39,7 @@ class Relations(NamedTuple):
 
 @cache
 def relations(model: type[Any], types: Callable[[type[Any]], Mapping[str, Related]]) -> Relations:
-    """The relations that a class of models declares; `types` takes its fields apart."""
+    """Return the relations that a class of models declares; `types` takes its fields apart."""
     kinds = types(model)
     own = [("", name, kind.member) for name, kind in kinds.items() if kind.member in kinds]
     inner = [
@@ -55,7 +55,7 @@ def relations(model: type[Any], types: Callable[[type[Any]], Mapping[str, Relate
 
 
 def unfitting(value: Any, declared: Relations) -> str:
-    """Which relation a value does not keep to, and how; empty if it keeps to all."""
+    """Return which relation a value does not keep to, and how; empty if it keeps to all."""
     for name, demanded in declared.sizes:
         found, wanted = len(getattr(value, name)), demanded(value.__dict__)
         if found != wanted:
@@ -75,5 +75,5 @@ def unfitting(value: Any, declared: Relations) -> str:
 
 
 def _each_of(held: Any) -> tuple[Any, ...]:
-    """A value, or the members of a tuple."""
+    """Return a value, or the members of a tuple."""
     return held if isinstance(held, tuple) else (held,)  # type: ignore[reportUnknownVariableType]

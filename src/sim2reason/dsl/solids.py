@@ -34,16 +34,16 @@ class Solid:
     second: Tensor  # ∫ (r − c)(r − c)ᵀ over it, about the centroid: size times m²
 
     def inertia(self, mass: float) -> Tensor:
-        """The tensor of inertia about the centroid, kg m²: ρ ∫ (r² 1 − r rᵀ)."""
+        """Return the tensor of inertia about the centroid, kg m²: ρ ∫ (r² 1 − r rᵀ)."""
         xx, yy, zz, xy, xz, yz = (mass / self.size * part for part in self.second)
         return (yy + zz, xx + zz, xx + yy, -xy, -xz, -yz)
 
     def moved(self, by: Vector) -> "Solid":
-        """The same figure elsewhere."""
+        """Return the same figure elsewhere."""
         return Solid(self.size, add(self.center, by), self.second)
 
     def turned(self, axes: Axes) -> "Solid":
-        """The same figure turned about the origin."""
+        """Return the same figure turned about the origin."""
         entries = [(i, j, part) for (i, j), part in zip(PAIRS, self.second, strict=True)]
         both = [*entries, *((j, i, part) for i, j, part in entries if i != j)]
         xx, yy, zz, xy, xz, yz = (sum(part * axes[i][p] * axes[j][q] for i, j, part in both) for p, q in PAIRS)
@@ -51,7 +51,7 @@ class Solid:
         return Solid(self.size, center, (xx, yy, zz, xy, xz, yz))
 
     def __add__(self, other: "Solid") -> "Solid":
-        """Both figures as one, of the same density."""
+        """Return both figures as one, of the same density."""
         size = self.size + other.size
         if size == 0.0:
             return NOTHING
@@ -62,12 +62,12 @@ class Solid:
         return Solid(size, add(self.center, scale(other.size / size, apart)), (xx, yy, zz, xy, xz, yz))
 
     def __neg__(self) -> "Solid":
-        """The figure as a hole."""
+        """Return the figure as a hole."""
         xx, yy, zz, xy, xz, yz = self.second
         return Solid(-self.size, self.center, (-xx, -yy, -zz, -xy, -xz, -yz))
 
     def __sub__(self, other: "Solid") -> "Solid":
-        """The first figure with the second, which lies in it, cut out."""
+        """Return the first figure with the second, which lies in it, cut out."""
         return self + (-other)
 
 
@@ -83,24 +83,24 @@ def axes_along(axis: Vector) -> Axes:
 
 
 def composed(axes: Axes, then: Axes) -> Axes:
-    """How a figure is turned that is turned twice."""
+    """Return how a figure is turned that is turned twice."""
     x, y, z = (add(*(scale(part, image) for part, image in zip(axis, then, strict=True))) for axis in axes)
     return (x, y, z)
 
 
 def transposed(axes: Axes) -> Axes:
-    """How a figure is turned back that was turned so."""
+    """Return how a figure is turned back that was turned so."""
     x, y, z = zip(*axes, strict=True)
     return (x, y, z)
 
 
 def seen(way: Vector, axes: Axes) -> Vector:
-    """A direction in the own axes of a figure that is turned."""
+    """Return a direction in the own axes of a figure that is turned."""
     return (inner(way, axes[0]), inner(way, axes[1]), inner(way, axes[2]))
 
 
 def _even(size: float, xx: float, yy: float, zz: float, height: float = 0.0) -> Solid:
-    """A figure with its centroid on the z axis and mean squares of x, y and z, m²."""
+    """Return a figure with its centroid on the z axis and mean squares of x, y and z, m²."""
     return Solid(size, (0.0, 0.0, height), (size * xx, size * yy, size * zz, 0.0, 0.0, 0.0))
 
 
@@ -113,50 +113,50 @@ def point() -> Solid:
 
 
 def ball(radius: float) -> Solid:
-    """A solid sphere: ⟨x²⟩ = r²/5."""
+    """Return a solid sphere: ⟨x²⟩ = r²/5."""
     square = radius**2 / 5.0
     return _even(4.0 / 3.0 * pi * radius**3, square, square, square)
 
 
 def sphere_surface(radius: float) -> Solid:
-    """A thin spherical shell: ⟨x²⟩ = r²/3."""
+    """Return a thin spherical shell: ⟨x²⟩ = r²/3."""
     square = radius**2 / 3.0
     return _even(4.0 * pi * radius**2, square, square, square)
 
 
 def cylinder(radius: float, height: float) -> Solid:
-    """A solid cylinder about z: ⟨x²⟩ = r²/4, ⟨z²⟩ = h²/12."""
+    """Return a solid cylinder about z: ⟨x²⟩ = r²/4, ⟨z²⟩ = h²/12."""
     return _even(pi * radius**2 * height, radius**2 / 4.0, radius**2 / 4.0, height**2 / 12.0)
 
 
 def disc(radius: float) -> Solid:
-    """A thin disc about z."""
+    """Return a thin disc about z."""
     return _even(pi * radius**2, radius**2 / 4.0, radius**2 / 4.0, 0.0)
 
 
 def ring(radius: float) -> Solid:
-    """A thin ring about z: ⟨x²⟩ = r²/2."""
+    """Return a thin ring about z: ⟨x²⟩ = r²/2."""
     return _even(2.0 * pi * radius, radius**2 / 2.0, radius**2 / 2.0, 0.0)
 
 
 def rod(length: float) -> Solid:
-    """A thin rod along z: ⟨z²⟩ = l²/12."""
+    """Return a thin rod along z: ⟨z²⟩ = l²/12."""
     return _even(length, 0.0, 0.0, length**2 / 12.0)
 
 
 def box(a: float, b: float, c: float) -> Solid:
-    """A rectangular bar with edges along x, y and z."""
+    """Return a rectangular bar with edges along x, y and z."""
     return _even(a * b * c, a * a / 12.0, b * b / 12.0, c * c / 12.0)
 
 
 def polygon(sides: int, radius: float) -> Solid:
-    """A thin regular polygon about z, inscribed in a circle of `radius`."""
+    """Return a thin regular polygon about z, inscribed in a circle of `radius`."""
     square = _polygon_square(sides, radius)
     return _even(_polygon_area(sides, radius), square, square, 0.0)
 
 
 def prism(sides: int, radius: float, height: float) -> Solid:
-    """A regular prism about z; its cross-section is inscribed in a circle of `radius`."""
+    """Return a regular prism about z; its cross-section is inscribed in a circle of `radius`."""
     square = _polygon_square(sides, radius)
     return _even(_polygon_area(sides, radius) * height, square, square, height**2 / 12.0)
 
@@ -171,7 +171,7 @@ def _polygon_square(sides: int, radius: float) -> float:
 
 
 def segment(radius: float, height: float) -> Solid:
-    """The part of a ball on one side of a plane: its flat face lies at z = 0, its pole at z = `height` ≤ 2r.
+    """Return the part of a ball on one side of a plane: its flat face lies at z = 0, its pole at z = `height` ≤ 2r.
 
     At a depth u below the pole the cross-section has the radius √(u(2r − u)); all moments are polynomials of h.
     """
@@ -186,7 +186,7 @@ def segment(radius: float, height: float) -> Solid:
 
 
 def lens(radius: float, other: float, distance: float) -> Solid:
-    """What two balls share: one of `radius` about the origin, one of radius `other` about z = `distance` ≥ 0."""
+    """Return what two balls share: one of `radius` about the origin, one of radius `other` about z = `distance` ≥ 0."""
     if distance >= radius + other:
         return NOTHING
     if distance + other <= radius:
@@ -228,7 +228,7 @@ class Shape(Body):
 
     @property
     def solid(self) -> Solid:
-        """How its mass is spread."""
+        """Return how its mass is spread."""
         raise NotImplementedError
 
     @property
@@ -255,14 +255,14 @@ class Shape(Body):
         return {}
 
     def reach(self, way: Vector) -> float:
-        """How far it extends from its origin along a unit vector, m."""
+        """Return how far it extends from its origin along a unit vector, m."""
         look = self.look
         if self.seen != UPRIGHT or not isinstance(look, Axial | Capped | Rectangular | Spherical):
             raise NotImplementedError
         return look.reach(way)
 
     def put(self, carrier: Frame, name: str, at: Vector, axes: Axes = UPRIGHT) -> Frame:
-        """The body on what carries it, its origin at a point there and turned so."""
+        """Return the body on what carries it, its origin at a point there and turned so."""
         turned = self.solid.turned(axes)
         frame = carrier.body(name, self.mass, at=at, center=turned.center, inertia=turned.inertia(self.mass))
         return frame.turned(composed(self.seen, axes))

@@ -40,7 +40,7 @@ class Slot:
     many: str = ""
 
     def form(self, count: int) -> str:
-        """The form that agrees with a count."""
+        """Return the form that agrees with a count."""
         if self.kind == "some":
             return self.many if count else self.one
         return (self.one, self.two)[count - 1] if count in (1, 2) else self.many
@@ -230,12 +230,12 @@ def assuming(*wordings: str) -> Wordings:
 
 
 def role_of(saying: Saying) -> Role:
-    """What a line does in a text."""
+    """Return what a line does in a text."""
     return saying.role if isinstance(saying, Wordings) else "fact"
 
 
 def topic_of(saying: Saying) -> Topic | None:
-    """What a line is on that matters to some questions only; None for one that matters to all."""
+    """Return what a line is on that matters to some questions only; None for one that matters to all."""
     return saying.topic if isinstance(saying, Wordings) else None
 
 
@@ -355,5 +355,5 @@ def _forms(text: str) -> list[str]:
 
 
 def paths(template: str) -> tuple[str, ...]:
-    """The addresses that a template mentions, in order."""
+    """Return the addresses that a template mentions, in order."""
     return tuple(slot.path for slot in slots(template) if slot.path)

@@ -53,7 +53,7 @@ class _UnitReader:
         return self.tokens[self.at - 1][1]
 
     def quotient(self, depth: int = 0) -> list[tuple[str, int]]:
-        """A product, and any number of divisors, each a single factor: a/b c could mean two things."""
+        """Return a product, and any number of divisors, each a single factor: a/b c could mean two things."""
         if depth > MAX_DEPTH:
             raise UnitError("a unit is nested too deeply")
         factors = self.product(depth) if self.peek() != "slash" else []
@@ -152,7 +152,7 @@ def _lexeme(kind: str, word: str) -> tuple[str, str]:
 
 
 def factors(text: str) -> list[tuple[str, int]]:
-    """The words of a unit with their powers, in the order in which they stand; the empty text has none.
+    """Return the words of a unit with their powers, in the order in which they stand; the empty text has none.
 
     Words are as in the table but not yet looked up. Raises `UnitError` for what is not built like a unit.
     """

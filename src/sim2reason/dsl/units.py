@@ -66,11 +66,11 @@ class Unit:
         return re.sub(r"\bu(?=[A-Za-z])", "µ", text)
 
     def quantity(self, number: str) -> str:
-        """A number, already written out, with this unit: ``9.8 m/s²``, ``30°``, ``50 %``, ``0.4``."""
+        """Return a number, already written out, with this unit: ``9.8 m/s²``, ``30°``, ``50 %``, ``0.4``."""
         return f"{number}{'' if self.name == 'deg' else ' '}{self.display}".rstrip()
 
     def factor_to(self, asked: Unit) -> float | None:
-        """What to multiply a number in this unit by to have it in `asked`; None if the two don't compare.
+        """Return what to multiply a number in this unit by to have it in `asked`; None if the two don't compare.
 
         s⁻¹ and rad/s compare, and s⁻¹ passes for Hz; Hz and rad/s differ by 2π and don't compare, nor does an
         angle with a pure number.
@@ -145,7 +145,7 @@ del D
 
 
 def _words() -> dict[str, Unit]:
-    """Every symbol and name of the table, with prefixes and plurals, in both directions of case for names."""
+    """Return every symbol and name of the table, with prefixes and plurals, in both directions of case for names."""
     table: dict[str, Unit] = {}
     for entries, prefixes in ((_PREFIXED, _PREFIXES), (_PLAIN, {"": ("", 1.0)})):
         for symbol, names, size, dimension in entries:
@@ -236,7 +236,7 @@ class UnitSystem:
         return frozenset({self.length, self.mass, self.time, *(name for _, name in self.derived)} - {"m", "kg", "s"})
 
     def spell(self, unit: str) -> str:
-        """The unit of this system for the quantity that has `unit` in the SI: ``J`` becomes ``Msun*au^2/yr^2``.
+        """Return the unit of this system for the quantity that has `unit` in the SI: ``J`` becomes ``Msun*au^2/yr^2``.
 
         Units of electric and magnetic fields stay as they are.
         """

@@ -14,7 +14,7 @@ def used_ports(paths: Iterable[Sequence[Link]]) -> set[tuple[str, str]]:
 
 
 def idle_fields(named: Named, used: set[tuple[str, str]]) -> Iterator[tuple[str, str]]:
-    """The fields that are given though every port that needs them is open, each with one of these ports."""
+    """Yield the fields that are given though every port that needs them is open, each with one of these ports."""
     needed: dict[str, list[str]] = {}
     for name, port in outer_ports(type(named.entity)).items():
         if port.needs:

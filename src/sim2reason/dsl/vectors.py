@@ -103,45 +103,45 @@ class Maths(Protocol):
     """The functions of one kind of number: the modules `math` and `numpy`, or a tape of symbols."""
 
     def sqrt(self, x: Number, /) -> Number:
-        """The square root."""
+        """Return the square root."""
         ...
 
     def sin(self, x: Number, /) -> Number:
-        """The sine of an angle, rad."""
+        """Return the sine of an angle, rad."""
         ...
 
     def cos(self, x: Number, /) -> Number:
-        """The cosine of an angle, rad."""
+        """Return the cosine of an angle, rad."""
         ...
 
 
 def product(a: Triple, b: Triple) -> Number:
-    """The scalar product."""
+    """Return the scalar product."""
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 def cross(a: Triple, b: Triple) -> Triple:
-    """The vector product."""
+    """Return the vector product."""
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
 def plus(a: Triple, b: Triple) -> Triple:
-    """The sum of two vectors."""
+    """Return the sum of two vectors."""
     return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
 
 
 def minus(a: Triple, b: Triple) -> Triple:
-    """The first vector less the second."""
+    """Return the first vector less the second."""
     return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 
 
 def times(factor: Number, a: Triple) -> Triple:
-    """A vector times a number."""
+    """Return a vector times a number."""
     return (factor * a[0], factor * a[1], factor * a[2])
 
 
 def applied(tensor: Tensor, vector: Triple) -> Triple:
-    """A symmetric tensor times a vector."""
+    """Return a symmetric tensor times a vector."""
     xx, yy, zz, xy, xz, yz = tensor
     return (product((xx, xy, xz), vector), product((xy, yy, yz), vector), product((xz, yz, zz), vector))
 
@@ -198,7 +198,7 @@ def distance(one: Point, other: Point, maths: Maths, steady: Triple | None = Non
 
 
 def relative(one: Gradient, other: Gradient) -> dict[int, Triple]:
-    """How the second point moves relative to the first, where it does, in the order of coordinates."""
+    """Return how the second point moves relative to the first, where it does, in the order of coordinates."""
     if not one:
         return dict(other)
     if not other:
@@ -216,14 +216,14 @@ def relative(one: Gradient, other: Gradient) -> dict[int, Triple]:
 
 
 class Region(Protocol):
-    """Where a force acts: inside, where all margins are positive."""
+    """A region of space in which a force acts; a point is inside where all margins are positive."""
 
     def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
         """Distances to the borders, m, positive inside."""
         ...
 
     def moved(self, by: Vector) -> Self:
-        """The same region elsewhere."""
+        """Return the same region elsewhere."""
         ...
 
 
@@ -235,7 +235,7 @@ class HalfSpace:
     offset: float
 
     def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
-        """The distance to the plane."""
+        """Return the distance to the plane."""
         del maths
         return (product(self.normal, place) - self.offset,)
 
@@ -251,7 +251,7 @@ class BoxRegion:
     sides: tuple[tuple[Vector, float, float], ...]  # (axis, low, high)
 
     def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
-        """The distances to its sides."""
+        """Return the distances to its sides."""
         del maths
         found: list[Number] = []
         for axis, low, high in self.sides:
@@ -273,7 +273,7 @@ class DiscRegion:
     axis: Vector = (0.0, 0.0, 1.0)
 
     def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
-        """The distance to its border."""
+        """Return the distance to its border."""
         apart = minus(place, self.center)
         along = product(self.axis, apart)
         aside = minus(apart, times(along, self.axis))

@@ -1,4 +1,4 @@
-"""The entities that scenes are made of, one file each."""
+"""The entities that scenes are made of, in modules by theme."""
 
 from sim2reason.dsl.entity import ENTITIES
 

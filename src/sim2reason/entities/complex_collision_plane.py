@@ -134,7 +134,7 @@ class ComplexCollisionPlane(Entity):
         return {**fit(gliders, drawn.get("joined", ()), drawn.get("buffers", ())), "right": right}
 
     def horizon(self, gravity: float) -> float:
-        """Some passes of the fastest over all that lies between, s."""
+        """Return some passes of the fastest over all that lies between, s."""
         del gravity
         fastest = max(abs(glider.v) for glider in self.gliders)
         return min(LONGEST, PASSES * (self._places[-1] - self._places[0]) / fastest) if fastest else LONGEST

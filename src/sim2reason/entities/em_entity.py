@@ -64,7 +64,7 @@ class EmEntity(Entity):
 
     @classmethod
     def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
-        """A bead that starts towards the region."""
+        """Return a bead that starts towards the region."""
         start, region = drawn["start"], drawn.get("region")
         if region is None or not isinstance(start, Launched):
             return {}

@@ -43,7 +43,7 @@ class RocketEntity(Entity):
 
     @classmethod
     def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
-        """An exhaust that can nearly leave the planet, and a thrust that can lift the rocket."""
+        """Return an exhaust that can nearly leave the planet, and a thrust that can lift the rocket."""
         place, exhaust = drawn["place"], drawn["exhaust"]
         if isinstance(place, DeepSpace):
             return {}
@@ -67,7 +67,7 @@ class RocketEntity(Entity):
 
     @property
     def burning_time(self) -> float:
-        """How long the fuel lasts, s."""
+        """Return how long the fuel lasts, s."""
         return (self.rocket.mass - self.rocket.dry) / self.rate
 
     def horizon(self, gravity: float) -> float:

@@ -107,7 +107,7 @@ class SolarSystem(Entity):
 
 
 def _lighter(planet: AnyPlanet, mass: float, rng: np.random.Generator) -> AnyPlanet:
-    """A heavy planet with a small part of the mass of its star."""
+    """Return a heavy planet with a small part of the mass of its star."""
     if isinstance(planet, Planet):
         return planet
     return rebuilt(planet, mass=float(f"{rng.uniform(RATIO.low, RATIO.high) * mass:.1e}"))

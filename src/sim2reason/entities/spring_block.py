@@ -120,7 +120,7 @@ class SpringBlock(Entity):
         return {"springs": tuple(springs), "launch": rebuilt(launch, **slower)}
 
     def horizon(self, gravity: float) -> float:
-        """Some periods of the block if all springs lay along one line, s."""
+        """Return some periods of the block if all springs lay along one line, s."""
         del gravity
         return PERIODS * 2.0 * pi * sqrt(self.block.mass / sum(spring.stiffness for spring in self.springs))
 

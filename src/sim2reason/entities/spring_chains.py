@@ -100,7 +100,7 @@ class SpringMassChain(Entity):
         return self
 
     def horizon(self, gravity: float) -> float:
-        """Some periods of the heaviest cart on the softest spring, s."""
+        """Return some periods of the heaviest cart on the softest spring, s."""
         del gravity
         heaviest, softest = max(cart.mass for cart in self.carts), min(spring.stiffness for spring in self.springs)
         return PERIODS * 2.0 * pi * sqrt(heaviest / softest)
@@ -183,7 +183,7 @@ class SpringMassRing(Entity):
         return self
 
     def horizon(self, gravity: float) -> float:
-        """Some periods of the heaviest bead on the softest spring, s."""
+        """Return some periods of the heaviest bead on the softest spring, s."""
         del gravity
         heaviest, softest = max(bead.mass for bead in self.beads), min(spring.stiffness for spring in self.springs)
         return PERIODS * 2.0 * pi * sqrt(heaviest / softest)

@@ -66,7 +66,7 @@ class AnchoredSpring(Entity):
 
     @classmethod
     def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
-        """A spring firm enough for the block, about as long as it is by itself."""
+        """Return a spring firm enough for the block, about as long as it is by itself."""
         return fitted_spring(drawn, rng)
 
     def build(self, room: Frame) -> None:
@@ -111,7 +111,7 @@ class SpringMassIncline(Entity):
 
     @classmethod
     def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
-        """A spring firm enough for the block, about as long as it is by itself."""
+        """Return a spring firm enough for the block, about as long as it is by itself."""
         return fitted_spring(drawn, rng)
 
     def build(self, room: Frame) -> None:

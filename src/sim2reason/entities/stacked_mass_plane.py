@@ -42,13 +42,13 @@ def frictions(number: str, below: str, above: str) -> dict[str, Word]:
         ),
         f"{number}3": Word(
             number,
-            {0.0: f"{{{below}}} and {{{above}}} touch each other at smooth faces"},
+            {0.0: f"the contact {pair} is smooth"},
             f"static and kinetic friction {pair} have the same coefficient, {given}",
         ),
         f"{number}4": Word(
             number,
             {0.0: f"friction {pair} is negligible"},
-            f"{{{below}}} and {{{above}}} rub against each other with a coefficient of {given}, static and kinetic",
+            f"the coefficients of static and of kinetic friction {pair} are both {given}",
         ),
     }
 

@@ -157,7 +157,7 @@ class TwoDCollisionPlane(Entity):
 
     @classmethod
     def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
-        """The second puck moves straight towards the first, as that sees it, so that at least these two meet."""
+        """Return velocities with which the second puck moves straight towards the first, so that the two collide."""
         del rng
         first, second, *rest = drawn["pucks"] if len(drawn["pucks"]) > 1 else (*drawn["pucks"], None)
         if second is None:

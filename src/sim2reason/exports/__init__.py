@@ -1,4 +1,4 @@
-"""Exports: a dataset as the libraries for training and evaluation read it, one file for each."""
+"""Exports: datasets in the formats of libraries for training and evaluation, a module for each."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
@@ -47,7 +47,7 @@ class Export(ABC):
 
     @abstractmethod
     def row(self, item: Item, place: Place) -> Row | None:
-        """What a file says of an item; None to leave it out."""
+        """Return what a file says of an item; None to leave it out."""
 
     def license(self, name: str) -> str:
         """Return the export's name for the licence that the Hugging Face Hub calls `name`."""
@@ -55,7 +55,7 @@ class Export(ABC):
 
     @property
     def folder(self) -> Path:
-        """Where the files lie that are copied beside the data."""
+        """Return where the files lie that are copied beside the data."""
         return self.files or FILES / self.name
 
 

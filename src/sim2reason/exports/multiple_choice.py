@@ -18,7 +18,7 @@ class MultipleChoice(Export):
     lacks = LACKS
 
     def row(self, item: Item, place: Place) -> Row | None:
-        """The question, its options in an order that hangs on the item's id alone, and which one is right."""
+        """Return the question, its options in an order that hangs on the item's id alone, and which one is right."""
         del place
         chosen = options_of(item)
         if chosen is None:
@@ -40,7 +40,7 @@ class MultipleChoice(Export):
 
 
 def _prompt(item: Item, numbers: list[float]) -> ChoicePrompt:
-    """The prompt of the item, if it is a multiple choice by itself, else that with its options."""
+    """Return the prompt of the item, if it is a multiple choice by itself, else that with its options."""
     if item.answer.letter:
         return ChoicePrompt.read(item.prompt)
     return ChoicePrompt.of(without_form(item.prompt)[0], numbers, item.answer.unit)

@@ -28,7 +28,7 @@ class NemoGym(Export):
         return LICENSES.get(name, "TBD")
 
     def row(self, item: Item, place: Place) -> Row:
-        """What a model is asked, and beside it what the server is handed to verify by."""
+        """Return what a model is asked, and beside it what the server is handed to verify by."""
         del place
         return {
             "responses_create_params": {"input": asked(item.prompt)},

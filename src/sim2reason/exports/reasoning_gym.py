@@ -14,7 +14,7 @@ class ReasoningGym(Export):
     also = ("reasoning_gym",)
 
     def row(self, item: Item, place: Place) -> Row:
-        """A question with an answer that passes, and what it is graded by."""
+        """Return a question with an answer that passes, and what it is graded by."""
         del place
         told = {"id": item.id, "ground_truth": ground_truth(item), **facts(item)}
         return {"question": item.prompt, "answer": answered(item), "metadata": told}

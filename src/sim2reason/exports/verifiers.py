@@ -15,7 +15,7 @@ class VerifiersTaskset(Export):
     data = "sim2reason_problems/data/{split}.jsonl"
 
     def row(self, item: Item, place: Place) -> Row:
-        """The data of a task."""
+        """Return the data of a task."""
         del place
         told = {"answer": answered(item), "ground_truth": ground_truth(item), **facts(item)}
         return {"id": item.id, "prompt": item.prompt, **told}

@@ -32,7 +32,7 @@ class Verl(Export):
     }
 
     def row(self, item: Item, place: Place) -> Row:
-        """A row; scores of validation are averaged by `data_source`, and the index names the row."""
+        """Return a row; scores of validation are averaged by `data_source`, and the index names the row."""
         return {
             "data_source": "sim2reason",
             "prompt": asked(item.prompt),

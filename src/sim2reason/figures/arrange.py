@@ -88,7 +88,7 @@ class Arranger:
     # -- one try -----------------------------------------------------------------------------------
 
     def ways(self, turned: frozenset[str], swapped: frozenset[str]) -> list[complex]:
-        """The directions of all strands, in order; those that may run anywhere get one."""
+        """Return the directions of all strands, in order; those that may run anywhere get one."""
         known = [self._turned(strand, turned) for strand in self.strands]
         return [way if way is not None else self._free(number, known, swapped) for number, way in enumerate(known)]
 
@@ -113,7 +113,7 @@ class Arranger:
         return self.strands[one].string == self.strands[other].string
 
     def _leaves_up(self, number: int, way: complex) -> bool:
-        """Whether the neighbour of a free strand leaves the pulley between them upwards."""
+        """Return whether the neighbour of a free strand leaves the pulley between them upwards."""
         return (way.imag > 0.0) != self.strands[number].a.rim
 
     def _bent(
@@ -123,7 +123,7 @@ class Arranger:
         turned: frozenset[str] = frozenset(),
         swapped: frozenset[str] = frozenset(),
     ) -> DrawingPlan:
-        """The plan with every bend and end that follows from the directions."""
+        """Return the plan with every bend and end that follows from the directions."""
         bends: dict[str, Bend] = {}
         ends: dict[str, tuple[complex, ...]] = {}
         before: tuple[Strand, complex] | None = None
@@ -137,7 +137,7 @@ class Arranger:
         return replace(plan, bends=bends, ends=ends, mirrored=turned)
 
     def pose(self, choice: Choice) -> Pose:
-        """How all pieces look when some things are turned round and some pulleys are larger."""
+        """Return how all pieces look when some things are turned round and some pulleys are larger."""
         flips, wider = choice[: self.flips], choice[self.flips + len(self.outer) :]
         if (flips, wider) not in self._poses:
             turned = frozenset[str]().union(*(group for group, flip in zip(self.groups, flips, strict=False) if flip))
@@ -149,7 +149,7 @@ class Arranger:
         return self._poses[flips, wider]
 
     def _lengths(self, strand: Strand) -> tuple[float, ...]:
-        """The lengths that a strand may have, beyond what runs over its pieces."""
+        """Return the lengths that a strand may have, beyond what runs over its pieces."""
         bodies = self.plan.scene.bodies
         ends = [bodies.get(knot.piece) for knot in (strand.a, strand.b)]
         if all(not knot.rim and body is not None for knot, body in zip((strand.a, strand.b), ends, strict=True)):
@@ -180,7 +180,7 @@ class Arranger:
     # -- the search --------------------------------------------------------------------------------
 
     def best(self) -> Layout:
-        """The best layout of several descents, the first of them from the shortest strands."""
+        """Return the best layout of several descents, the first of them from the shortest strands."""
         random = Random(0)  # noqa: S311 - it chooses where to look
         found = self._descend((0,) * len(self.counts))
         idle = 0
@@ -194,7 +194,7 @@ class Arranger:
         return found
 
     def _drawn(self, random: Random) -> Iterator[int]:
-        """A random choice: short strands, small wheels."""
+        """Yield a random choice: short strands, small wheels."""
         for number, count in enumerate(self.counts):
             wheel = number >= self.flips + len(self.outer)
             yield int(random.random() * (1.3 if wheel else min(4, count)))

@@ -56,13 +56,13 @@ METADATA: dict[str, dict[str, Any]] = {
 
 
 def matplotlib() -> Any:  # noqa: ANN401 - a module
-    """The package; MissingExtraError says how to get it."""
+    """Return the package; MissingExtraError says how to get it."""
     return optional("matplotlib", "figures")
 
 
 @contextmanager
 def settings(more: Mapping[str, object] | None = None) -> Generator[None, None, None]:
-    """What all our figures are made with, whatever else somebody has set; MissingExtraError as `matplotlib`."""
+    """Return what all our figures are made with, whatever else somebody has set; MissingExtraError as `matplotlib`."""
     package = matplotlib()
     with package.rc_context():
         package.rcdefaults()
@@ -83,7 +83,7 @@ def draw(drawing: Drawing, path: Path, dpi: int = 150) -> None:
 
 
 def png(drawing: Drawing, dpi: int = 100) -> bytes:
-    """A drawing as the bytes of a PNG; MissingExtraError if matplotlib is not installed."""
+    """Return a drawing as the bytes of a PNG; MissingExtraError if matplotlib is not installed."""
     with settings():
         return as_png(_page(drawing), dpi)
 
@@ -106,7 +106,7 @@ def _page(drawing: Drawing) -> "Figure":
 
 
 def check(path: Path) -> str:
-    """The format that a path asks for; UnsupportedError for another than we write."""
+    """Return the format that a path asks for; UnsupportedError for another than we write."""
     ending = path.suffix.removeprefix(".").lower()
     if ending not in FORMATS:
         raise UnsupportedError(f"{path}: no such format for a figure; end the name in .svg, .png or .pdf")
@@ -120,7 +120,7 @@ def save(figure: "Figure", path: Path, dpi: int) -> None:
 
 
 def as_png(figure: "Figure", dpi: int) -> bytes:
-    """The bytes of a figure as PNG, the same every time."""
+    """Return the bytes of a figure as PNG, the same every time."""
     buffer = BytesIO()
     figure.savefig(buffer, format="png", dpi=dpi, metadata=METADATA["png"], facecolor="white")
     return buffer.getvalue()

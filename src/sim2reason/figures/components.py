@@ -24,7 +24,7 @@ class Component:
 
 
 def components(scene: Scene) -> list[Component]:
-    """All components of a scene, in the order of its entities."""
+    """Return all components of a scene, in the order of its entities."""
     joined = {f"{c.key}_{n}": [link.entity for link in c.links] for n, c in enumerate(scene.connections, start=1)}
     entities = [named.name for named in scene.entities]
     return [_component(scene, owners) for owners in _clusters([*entities, *joined], joined)]

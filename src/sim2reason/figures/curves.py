@@ -63,7 +63,7 @@ class MotionCurves:
 
 
 def motion_curves(trace: Trace, description: Description) -> MotionCurves:
-    """The curves of a trace, by the names of a text; those that never differ from zero are left out."""
+    """Return the curves of a trace, by the names of a text; those that never differ from zero are left out."""
     mentions = {address: description.mention(address) for address in description.scene.bodies}
     duration = float(trace.state.times[-1])
     times = instants(trace, duration)
@@ -88,7 +88,7 @@ def instants(trace: Trace, duration: float) -> Array:
 
 
 def panels(state: State, mentions: dict[str, str], said: frozenset[str] | None = None) -> tuple[Panel, ...]:
-    """A panel for every quantity that is plotted and that something of the text has; some share one.
+    """Return a panel for every quantity that is plotted and that something of the text has; some share one.
 
     What is zero throughout is left out. `said` has the paths of the numbers of the text: of what needs another one
     there is no curve; None stands for all.
@@ -119,14 +119,14 @@ def _superfluous(panel: Panel, traced: set[str]) -> bool:
 
 
 def _shows(curves: tuple[Curve, ...]) -> bool:
-    """Whether anything is not zero, or not determined, which is told."""
+    """Return whether anything is not zero, or not determined, which is told."""
     return any(not np.isfinite(curve.values).any() or np.nanmax(np.abs(curve.values)) > STILL for curve in curves)
 
 
 def _curves(
     quantity: Quantity, state: State, mentions: dict[str, str], said: frozenset[str] | None
 ) -> Iterator[tuple[str, Curve]]:
-    """The curves of a quantity with the titles of their panels, by subjects, or their sum."""
+    """Yield the curves of a quantity with the titles of their panels, by subjects, or their sum."""
     mechanism, of = state.mechanism, quantity.of
     names = {
         name: phrase
@@ -176,7 +176,7 @@ def _axle(values: Array) -> Array | None:
 
 
 def _forward(state: State, body: str, direction: Array) -> float:
-    """The sign that makes the first motion of a body positive: no text says which way is right."""
+    """Return the sign that makes the first motion of a body positive: no text says which way is right."""
     moved = QUANTITIES["displacement"].evaluate(state, body) @ direction
     first = moved[np.abs(moved) > STILL]
     return -1.0 if len(first) and first[0] < 0.0 else 1.0
@@ -188,7 +188,7 @@ def _worth(trace: Trace, duration: float) -> list[Event]:
 
 
 def _untold(event: Event, mechanism: Mechanism) -> bool:
-    """Whether no text speaks of what turns back: one of two directions of a body that are no axes."""
+    """Return whether no text speaks of what turns back: one of two directions of a body that are no axes."""
     if event.kind != "turn" or not event.subjects or event.subjects[0] not in mechanism.number:
         return False
     own = mechanism.coordinates[mechanism.number[event.subjects[0]]]
@@ -216,7 +216,7 @@ VERBS = {
 
 
 def told(event: Event, mechanism: Mechanism, mentions: dict[str, str]) -> str:
-    """An event in the words of the text."""
+    """Return an event in the words of the text."""
     said = [_subject(subject, mechanism, mentions) for subject in event.subjects if subject] or [""]
     said.sort(key=lambda phrase: 2 if phrase == FIXED else int("pulley" in phrase))  # a block meets a pulley
     if "component of" in said[0]:
@@ -227,13 +227,13 @@ def told(event: Event, mechanism: Mechanism, mentions: dict[str, str]) -> str:
 
 
 def _obstacle(event: Event, mechanism: Mechanism) -> str:
-    """What of the room a body hits."""
+    """Return what of the room a body hits."""
     normals = [m.normal for m in mechanism.meetings if m.a is None and m.b in event.subjects and m.normal is not None]
     return "the ground" if any(normal[2] > abs(normal[0]) + abs(normal[1]) for normal in normals) else "a wall"
 
 
 def _subject(name: str, mechanism: Mechanism, mentions: dict[str, str]) -> str:
-    """A body, string, coordinate or site in words."""
+    """Return a body, string, coordinate or site in words."""
     phrase = mentions.get(name) or strings(mechanism, mentions).get(name)
     if phrase:
         return phrase

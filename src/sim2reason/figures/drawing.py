@@ -66,7 +66,7 @@ def _drawn(scene: Scene, description: Description, *, numbers: bool) -> Drawing:
 
 
 def make(scaled: Mapping[str, Piece], name: str, plan: DrawingPlan) -> Piece:
-    """The piece at an address: one that is drawn to scale, or by the look of its body."""
+    """Return the piece at an address: one that is drawn to scale, or by the look of its body."""
     if name in scaled:
         return scaled[name]
     look = plan.scene.bodies[name].look if name in plan.scene.bodies else None
@@ -118,7 +118,7 @@ def _finished(layout: Layout, plan: DrawingPlan) -> Sketch:
 
 
 def _strokes(scene: Scene, name: str, a: complex, b: complex) -> Iterator[LineShape]:
-    """A strand as its connection looks."""
+    """Yield a strand as its connection looks."""
     look = scene.joints[name].connection.look if name in scene.joints else "string"
     if look == "spring":
         line = next((line for line in scene.mechanism.lines if line.whole == name), None)
@@ -128,7 +128,7 @@ def _strokes(scene: Scene, name: str, a: complex, b: complex) -> Iterator[LineSh
 
 
 def _mounted(layout: Layout, name: str, piece: PulleyPiece) -> list[Shape]:
-    """A bracket to the nearest corner of a plane, or a plate if all are far."""
+    """Return a bracket to the nearest corner of a plane, or a plate if all are far."""
     here = layout.at[name]
     ends = [
         layout.at[corner] + edge

@@ -37,7 +37,7 @@ def _short(name: str) -> str:
 
 
 def _errors(held: Sequence[Bar]) -> list[list[float]]:
-    """How far the intervals reach below and above, in per cent."""
+    """Return how far the intervals reach below and above, in per cent."""
     below = [100 * max(0.0, bar.value - bar.low) for bar in held]
     return [below, [100 * max(0.0, bar.high - bar.value) for bar in held]]
 

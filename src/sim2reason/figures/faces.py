@@ -47,7 +47,7 @@ class Facet:
     length: float = 0.0
 
     def at(self, down: float) -> complex:
-        """A point of the face, from the upper end."""
+        """Return a point of the face, from the upper end."""
         return -down * self.uphill
 
 
@@ -92,7 +92,7 @@ class FacePiece(Piece):
             yield Facet(uphill, normal, {block: s for s, block in sorted(members)}, foot, top)
 
     def _sites(self, uphill: complex) -> list[tuple[float, str]]:
-        """What is fixed on the face and passed by strings, with its place along it."""
+        """Return what is fixed on the face and passed by strings, with its place along it."""
         rims = {knot.item for knots in self.plan.paths.knots.values() for knot in knots if knot.rim}
         sites = [s for s in self.plan.paths.mechanism.sites if s.body == self.name and s.name in rims]
         return [(dot(flat(s.at), uphill), s.name) for s in sites if abs(cross(flat(s.at), uphill)) < 1e-6]
@@ -124,7 +124,7 @@ class FacePiece(Piece):
         return next(f for f in self.faces if item in f.blocks or item in (f.foot, f.top))
 
     def center(self, block: str) -> complex:
-        """The middle of a block."""
+        """Return the middle of a block."""
         face = self._face(block)
         return face.at(face.blocks[block]) + 0.5 * self.plan.sizes.height * face.normal
 
@@ -163,7 +163,7 @@ class FacePiece(Piece):
         return abs(end - dot(start, face.uphill))
 
     def edge(self, way: complex) -> complex | None:
-        """The upper or lower end of its face."""
+        """Return the upper or lower end of the face, by the direction asked for."""
         face = max(self.faces, key=lambda f: abs(dot(way, f.uphill)))
         return 0j if dot(way, face.uphill) > 0.0 else face.at(face.length)
 
@@ -175,7 +175,7 @@ class FacePiece(Piece):
     # -- the drawing -------------------------------------------------------------------------------
 
     def outline(self) -> Polygon:
-        """The solid, against the clock from its lower left corner."""
+        """Return the solid, against the clock from its lower left corner."""
         ends = [face.at(face.length) for face in self.faces]
         if len(ends) == 1:
             ends.append(0j)
@@ -186,7 +186,7 @@ class FacePiece(Piece):
         return tuple(kept)
 
     def hulls(self) -> list[Polygon]:
-        """The solid with its floor, and what stands on its faces."""
+        """Return the solid with its floor, and what stands on its faces."""
         solid = self.outline()
         left, low, right, _ = box(solid)
         extra = 0.0 if self.fixed else FLOOR
@@ -204,7 +204,7 @@ class FacePiece(Piece):
         return list(dict.fromkeys(s for f in self.faces for s in (f.foot, f.top) if s in self.plan.bends))
 
     def sketch(self) -> Sketch:
-        """The solid, its floor, its angles, its blocks and small pulleys."""
+        """Return the solid, its floor, its angles, its blocks and small pulleys."""
         solid = self.outline()
         found = Sketch([Area(solid, "fixed" if self.fixed else "wedge")])
         left, low, right, _ = box(solid)
@@ -226,7 +226,7 @@ class FacePiece(Piece):
         return found
 
     def _small(self, site: str) -> Iterator[Shape]:
-        """A small pulley on its bracket, with the string round it."""
+        """Yield a small pulley on its bracket, with the string round it."""
         center, bend, radius = self.wheel(site), self.plan.bends[site], self.plan.sizes.small
         face = self._face(site)
         foot = face.at(face.length - 0.3) if site == face.foot else 0j
@@ -276,7 +276,7 @@ class FacePiece(Piece):
             found.labels.append(Wanted(text, (*inside, *below, *outside), self.name, SMALL, name=False))
 
     def _name(self) -> Wanted:
-        """Its name near the middle of the solid."""
+        """Return its name near the middle of the solid."""
         corners = self.outline()
         middle = sum(corners) / len(corners)
         text = self.plan.caption(self.name)

@@ -34,7 +34,7 @@ class BlockPiece(Piece):
     """A block that hangs."""
 
     def anchor(self, knot: PathKnot, way: complex, *, second: bool) -> complex:
-        """The middle of the side that the strand leaves."""
+        """Return the middle of the side that the strand leaves."""
         del knot, second
         sizes = self.plan.sizes
         steep = abs(way.imag) * sizes.width >= abs(way.real) * sizes.height
@@ -45,7 +45,7 @@ class BlockPiece(Piece):
         return [rectangle(0j, self.plan.sizes.width, self.plan.sizes.height)]
 
     def sketch(self) -> Sketch:
-        """A rectangle with its name inside."""
+        """Return a rectangle with its name inside."""
         return Sketch([Area(self.hulls()[0], "block")], block_labels(self.plan, self.name, 0j))
 
 
@@ -88,7 +88,7 @@ class PulleyPiece(Piece):
         self.mounted = self.fixed and not self.corners
 
     def _corners(self) -> Iterator[str]:
-        """The pieces on whose faces a string comes to it: it can be fixed to their corners."""
+        """Yield the pieces on whose faces a string comes to it: it can be fixed to their corners."""
         for strand in self.plan.paths.strands:
             for here, there in ((strand.a, strand.b), (strand.b, strand.a)):
                 on_face = not there.rim and has_faces(self.plan.scene.bodies.get(there.piece))
@@ -96,7 +96,7 @@ class PulleyPiece(Piece):
                     yield there.piece
 
     def _clear(self, block: PathKnot) -> bool:
-        """Whether the string lies beyond the pulley as seen from the face, so that no bracket crosses it."""
+        """Return whether the string lies beyond the pulley as seen from the face, so that no bracket crosses it."""
         ways = self.plan.ends.get(block.item, ())
         if self.bend is None or not ways:
             return False
@@ -122,11 +122,11 @@ class PulleyPiece(Piece):
 
     @property
     def bracket(self) -> float:
-        """How far from the axle it is held."""
+        """Return how far from the axle it is held."""
         return BRACKET + self.radius - self.plan.sizes.radius
 
     def hulls(self) -> list[Polygon]:
-        """The disc and, if it is fixed, its bracket."""
+        """Return the disc and, if it is fixed, its bracket."""
         found = [ring(0j, self.radius + 0.05)]
         if self.mounted:
             found.append(rectangle(self.support * (self.bracket + 0.15), PLATE, 0.35, self.support * -1j))
@@ -138,7 +138,7 @@ class PulleyPiece(Piece):
         return ("ceiling", self.bracket - BRACKET) if self.fixed and self.support == UP else None
 
     def sketch(self) -> Sketch:
-        """A circle with its axle, the string round it, and a bracket."""
+        """Return a circle with its axle, the string round it, and a bracket."""
         radius = self.radius
         body = self.plan.scene.bodies.get(self.address)
         massive = body is not None and isinstance(body.look, PulleyWheel) and body.look.solid
@@ -153,14 +153,14 @@ class PulleyPiece(Piece):
         return Sketch(shapes, [Wanted(text, places, self.address, size)])
 
     def _string(self) -> list[Shape]:
-        """The part of the string that lies on the rim."""
+        """Return the part of the string that lies on the rim."""
         if self.bend is None:
             return []
         return [wrapped(self.bend.rim(), self.bend.rim(second=True), self.bend.held, 0j, self.radius)]
 
 
 def wrapped(first: complex, last: complex, middle: complex, center: complex, radius: float) -> Shape:
-    """The string along a rim from one point of touch to the other, by way of `middle`."""
+    """Return the string along a rim from one point of touch to the other, by way of `middle`."""
     low, high = sorted((degrees(first), degrees(last)))
     inside = low <= degrees(middle) <= high
     start, stop = (low, high) if inside or high - low < 1e-6 else (high, low + 360.0)
@@ -168,7 +168,7 @@ def wrapped(first: complex, last: complex, middle: complex, center: complex, rad
 
 
 def plate(way: complex, start: complex = 0j, far: float = BRACKET, wide: float = PLATE) -> list[Shape]:
-    """A bracket from `start` along `way` to something fixed, which is solid beyond."""
+    """Return a bracket from `start` along `way` to something fixed, which is solid beyond."""
     end, half = start + way * far, 0.5 * wide * way * 1j
     return [LineShape((start, end), "edge"), *hatched(end - half, end + half)]
 
@@ -183,7 +183,7 @@ class EndPiece(Piece):
         return -ends[0] if ends else UP
 
     def anchor(self, knot: PathKnot, way: complex, *, second: bool) -> complex:
-        """The point where the string ends."""
+        """Return the point where the string ends."""
         del knot, way, second
         return 0j
 
@@ -192,7 +192,7 @@ class HookPiece(EndPiece):
     """A hook fixed in the room."""
 
     def hulls(self) -> list[Polygon]:
-        """The hook with its plate."""
+        """Return the hook with its plate."""
         return [rectangle(self.way * 0.25, 1.0, 0.6, self.way * -1j)]
 
     @property
@@ -201,7 +201,7 @@ class HookPiece(EndPiece):
         return ("ceiling", 0.35 - BRACKET) if self.way.imag > 0.99 else None
 
     def sketch(self) -> Sketch:
-        """A ring and hatching."""
+        """Return a ring and hatching."""
         return Sketch([*plate(self.way, self.way * 0.1, 0.25, 1.0), Arc(0j, 0.1)])
 
 
@@ -209,11 +209,11 @@ class HandPiece(EndPiece):
     """A hand or a winch: an arrow with its force or speed."""
 
     def hulls(self) -> list[Polygon]:
-        """The arrow and room for its label."""
+        """Return the arrow and room for its label."""
         return [rectangle(self.way * 0.5 * ARROW, ARROW, 0.5, self.way)]
 
     def sketch(self) -> Sketch:
-        """A grip, an arrow, and the force or the speed as the text has it."""
+        """Return a grip, an arrow, and the force or the speed as the text has it."""
         text = pull_text(self.plan, self.name)
         grip = Area(rectangle(0j, 0.14, 0.4, self.way), "ink")
         wide = width(text, SMALL)
@@ -227,7 +227,7 @@ class HandPiece(EndPiece):
 
 
 def pull_text(plan: DrawingPlan, hand: str) -> str:
-    """The force of a hand or the speed of a winch; with a letter if there is one only."""
+    """Return the force of a hand or the speed of a winch; with a letter if there is one only."""
     drawing = plan.scene.builder.drawing
     law = drawing[hand]
     alone = sum(type(other) is type(law) for other in drawing.values()) == 1

@@ -27,7 +27,7 @@ class Histogram:
 
 
 def png(histogram: Histogram, dpi: int = 100) -> bytes:
-    """The bytes of a PNG, the same every time; MissingExtraError if matplotlib is not installed."""
+    """Return the bytes of a PNG, the same every time; MissingExtraError if matplotlib is not installed."""
     with settings({"font.size": 8.0}):
         from matplotlib.figure import Figure  # noqa: PLC0415 - heavy, and an extra
 

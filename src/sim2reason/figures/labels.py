@@ -136,12 +136,12 @@ def _alone(option: Option, strokes: Sequence[Stroke], blocks: Sequence[Polygon])
 
 
 def _under(area: Box, strokes: Sequence[Stroke]) -> float:
-    """The length of the strokes that run through a box, by their weights."""
+    """Return the length of the strokes that run through a box, by their weights."""
     return sum(stroke.weight * length_inside(stroke.a, stroke.b, area) for stroke in strokes)
 
 
 def _mistaken(label: Label, wanted: Wanted, wheels: Sequence[Arc]) -> float:
-    """What it costs to stand beside a pulley that has another name."""
+    """Return what it costs to stand beside a pulley that has another name."""
     if len(wanted.places) < 2 or not wanted.name or not wheels:
         return 0.0
     middle = sum(wanted.places) / len(wanted.places)

@@ -65,7 +65,7 @@ class Layout:
 
 
 def cost(layout: Layout) -> float:
-    """What is wrong with a layout: overlaps above all, then crossings, size and ragged levels."""
+    """Return what is wrong with a layout: overlaps above all, then crossings, size and ragged levels."""
     pose, at = layout.pose, layout.at
     boxes = {name: _moved(held, at[name]) for name, held in pose.boxes.items()}
     total = 0.0
@@ -79,7 +79,7 @@ def cost(layout: Layout) -> float:
 
 
 def _overlap(one: list[tuple[Polygon, Box]], other: list[tuple[Polygon, Box]], by: complex) -> float:
-    """How much the shapes of a piece and those of another, moved by `by`, are in each other's way."""
+    """Return how much the shapes of a piece and those of another, moved by `by`, are in each other's way."""
     total = 0.0
     for theirs, area in other:
         around = _moved(area, by)

@@ -17,22 +17,22 @@ from sim2reason.lazy import cached_property
 
 
 def has_faces(body: Body | None) -> bool:
-    """Whether blocks lie on it."""
+    """Return whether blocks lie on it."""
     return body is not None and isinstance(body.look, FixedPlane | MovingSlope)
 
 
 def is_plane(body: Body | None) -> bool:
-    """Whether it is a plane fixed in the room."""
+    """Return whether it is a plane fixed in the room."""
     return body is not None and isinstance(body.look, FixedPlane)
 
 
 def is_pulley(body: Body | None, *, fixed: bool = False) -> bool:
-    """Whether strings go round it; with `fixed`, also whether its axle can't move."""
+    """Return whether strings go round it; with `fixed`, also whether its axle can't move."""
     return body is not None and isinstance(body.look, PulleyWheel) and (body.look.fixed or not fixed)
 
 
 def flat(vector: Vector) -> complex:
-    """A vector of the room as seen from the front."""
+    """Return a vector of the room as seen from the front."""
     return complex(vector[0], vector[2])
 
 
@@ -64,22 +64,22 @@ class Strand:
 
     @property
     def inner(self) -> bool:
-        """Whether both of its ends lie on one piece."""
+        """Return whether both of its ends lie on one piece."""
         return self.a.piece == self.b.piece
 
 
 def owner_of(address: str) -> str:
-    """The entity or connection to which something belongs."""
+    """Return the entity or connection to which something belongs."""
     return address.split(".", maxsplit=1)[0]
 
 
 def whole(scene: Scene) -> Scene:
-    """The scene with nothing glued: glue changes how bodies move, not how they look."""
+    """Return the scene with nothing glued: glue changes how bodies move, not how they look."""
     return scene.model_copy(update={"glued": ()}) if scene.glued else scene
 
 
 def near(address: str, others: list[str]) -> str:
-    """The address that shares the longest beginning with `address`."""
+    """Return the address that shares the longest beginning with `address`."""
 
     def common(other: str) -> int:
         steps = zip(address.split("."), other.split("."), strict=False)
@@ -143,7 +143,7 @@ class Paths:
         return body if body is not None and body in self.scene.bodies else site
 
     def piece(self, site: str) -> str:
-        """The piece of the drawing on which a site lies."""
+        """Return the piece of the drawing on which a site lies."""
         owner = site.rpartition(".")[0]
         if owner_of(site) in self.home:
             return self.home[owner_of(site)]

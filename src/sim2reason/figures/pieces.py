@@ -41,7 +41,7 @@ class Bend:
     side: float  # where two parallel strands meet the rim: the first one at the left (−1) or right (1)
 
     def touches(self, way: complex) -> complex:
-        """The unit vector from the centre to where the strand that leaves along `way` touches the rim."""
+        """Return the unit vector from the centre to where the strand that leaves along `way` touches the rim."""
         first = abs(way - self.ways[0]) <= abs(way - self.ways[1])
         other = self.ways[1] if first else self.ways[0]
         if abs(cross(way, other)) > 1e-6:
@@ -50,7 +50,7 @@ class Bend:
         return across if dot(way, other) < 0.0 else across * self.side
 
     def rim(self, *, second: bool = False) -> complex:
-        """Where the first, or the second, strand touches; unlike `touches` it tells parallel strands apart."""
+        """Return where the first, or the second, strand touches; unlike `touches` it tells parallel strands apart."""
         first = self.touches(self.ways[0])
         if not second:
             return first
@@ -81,12 +81,12 @@ class DrawingPlan:
     wider: Mapping[str, float] = field(default_factory=dict[str, float])  # by pulley piece, times the usual radius
 
     def name(self, address: str) -> str:
-        """What stands beside a body: its letter or, for a lone one, its noun."""
+        """Return what stands beside a body: its letter or, for a lone one, its noun."""
         body = self.scene.bodies[address]
         return self.description.names.letters.get(address, "") or self.description.names.noun(body)
 
     def mass(self, address: str) -> str:
-        """The mass of a body as the text has it, if numbers are wanted and it has one."""
+        """Return the mass of a body as the text has it, if numbers are wanted and it has one."""
         parameter = next((p for p in self.scene.parameters if p.path == f"{address}.mass"), None)
         return self.told(parameter) if self.numbers and parameter is not None and parameter.value else ""
 
@@ -100,12 +100,12 @@ class DrawingPlan:
         return self.description.voice(replace(parameter, value=shown), symbol)
 
     def stated(self, owner: str, unit: str, value: float) -> str:
-        """The same for a number of an entity or a body, if one of that size and unit is stated; else nothing."""
+        """Return the same for a number of an entity or a body, if one of that size and unit is stated; else nothing."""
         said = self._numbers(owner, unit)
         return next((self.told(p) for p in said if isclose(p.value or 0.0, value, rel_tol=1e-6, abs_tol=LIKE)), "")
 
     def equated(self, letter: str, said: str) -> str:
-        """A number with its letter, *F = 3 N*; a symbol needs none."""
+        """Return a number with its letter, *F = 3 N*; a symbol needs none."""
         return said if said.startswith("$") else f"{letter} = {said}"
 
     def rubbing(self, owner: str, face: Face, letter: str = "µ") -> str:
@@ -128,7 +128,7 @@ class DrawingPlan:
                 yield parameter
 
     def caption(self, address: str) -> str:
-        """The name of a body, with its mass if that is wanted: *W (8.1 kg)*."""
+        """Return the name of a body, with its mass if that is wanted: *W (8.1 kg)*."""
         mass = self.mass(address)
         return f"{self.name(address)} ({mass})" if mass else self.name(address)
 
@@ -144,7 +144,7 @@ class Piece(ABC):
 
     @abstractmethod
     def anchor(self, knot: PathKnot, way: complex, *, second: bool) -> complex:
-        """Where a strand that leaves the knot along `way` begins; `second` if the string leaves it there."""
+        """Return where a strand that leaves the knot along `way` begins; `second` if the string leaves it there."""
 
     @abstractmethod
     def hulls(self) -> list[Polygon]:
@@ -152,10 +152,10 @@ class Piece(ABC):
 
     @abstractmethod
     def sketch(self) -> Sketch:
-        """Its shapes and the labels that it wants."""
+        """Return its shapes and the labels that it wants."""
 
     def lead(self, knot: PathKnot, way: complex) -> float:
-        """How far a strand runs over the piece itself before it is clear of it."""
+        """Return how far a strand runs over the piece itself before it is clear of it."""
         del knot, way
         return 0.0
 
@@ -165,7 +165,7 @@ class Piece(ABC):
         return None
 
     def edge(self, way: complex) -> complex | None:
-        """The corner where its face ends in a direction: a pulley beyond it can be fixed to it."""
+        """Return the corner where its face ends in a direction: a pulley beyond it can be fixed to it."""
         del way
         return None
 

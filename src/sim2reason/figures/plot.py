@@ -101,21 +101,21 @@ class Colors:
         self._explained: set[str] = set()
 
     def of(self, name: str) -> str:
-        """The colour of a body: directions that follow its name do not matter."""
+        """Return the colour of a body: directions that follow its name do not matter."""
         own = name.partition(",")[0]
         if own not in self._order:
             self._order.append(own)
         return COLORS[self._order.index(own) % len(COLORS)]
 
     def unexplained(self, names: Iterable[str]) -> bool:
-        """Whether there are names among these that no legend has shown; from now on it has."""
+        """Return whether there are names among these that no legend has shown; from now on it has."""
         found = set(names)
         new = bool(found - self._explained)
         self._explained |= found
         return new
 
     def style(self, name: str) -> str:
-        """Its strokes: others than those of what has the same colour."""
+        """Return its strokes: others than those of what has the same colour."""
         self.of(name)
         return STYLES[(self._order.index(name.partition(",")[0]) // len(COLORS)) % len(STYLES)]
 

@@ -53,7 +53,7 @@ class Arc:
 
     @property
     def whole(self) -> bool:
-        """Whether it is a full circle."""
+        """Return whether it is a full circle."""
         return self.stop - self.start >= 360.0
 
 
@@ -97,7 +97,7 @@ class Drawing:
     labels: tuple[Label, ...] = ()
 
     def box(self) -> Box:
-        """The smallest rectangle around everything."""
+        """Return the smallest rectangle around everything."""
         points = [point for shape in self.shapes for point in outline(shape)]
         corners = [complex(*corner) for label in self.labels for corner in (label.box[:2], label.box[2:])]
         return box([*points, *corners])
@@ -116,7 +116,7 @@ class Sketch:
         self.labels += other.labels
 
     def moved(self, by: complex) -> "Sketch":
-        """The same elsewhere."""
+        """Return the same elsewhere."""
         return Sketch([moved(shape, by) for shape in self.shapes], [_label_moved(held, by) for held in self.labels])
 
 
@@ -141,7 +141,7 @@ def outline(shape: Shape) -> Polygon:
 
 
 def moved(shape: Shape, by: complex) -> Shape:
-    """A shape elsewhere."""
+    """Return a shape elsewhere."""
     if isinstance(shape, Arc):
         return replace(shape, center=shape.center + by)
     return replace(shape, points=tuple(point + by for point in shape.points))
@@ -165,5 +165,5 @@ def rough(a: complex, b: complex, normal: complex) -> Shape:
 
 
 def dot_at(center: complex, radius: float = 0.06) -> Shape:
-    """A small filled circle: an axle."""
+    """Return a small filled circle: an axle."""
     return Arc(center, radius, fill="ink", weight="hair")

@@ -11,7 +11,7 @@ CUP, PISTON, DEEP = 0.11, 0.08, 0.25  # half the widths of a dashpot's two parts
 
 
 def spring(a: complex, b: complex, line: Line | None) -> Iterator[Polygon]:
-    """The strokes of a spring from `a` to `b`."""
+    """Yield the strokes of a spring from `a` to `b`."""
     if not (line is not None and isinstance(line.law, Elastic) and line.law.damping):
         yield _zigzag(a, b)
         return
@@ -26,7 +26,7 @@ def spring(a: complex, b: complex, line: Line | None) -> Iterator[Polygon]:
 
 
 def _dashpot(a: complex, b: complex) -> Iterator[Polygon]:
-    """A cup that is open towards `b`, and a piston in it."""
+    """Yield a cup that is open towards `b`, and a piston in it."""
     way, long = unit(b - a), abs(b - a)
     across, middle, deep = way * 1j, 0.5 * (a + b), min(0.12 * long, DEEP) * way
     bottom, top, piston = middle - deep, middle + deep, middle + 0.2 * deep

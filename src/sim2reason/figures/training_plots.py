@@ -46,7 +46,7 @@ def curves(path: Path, panels: Mapping[str, Series]) -> None:
 
 
 def averaged(values: Sequence[float]) -> list[float]:
-    """An exponential average, without bias at the start."""
+    """Return an exponential average, without bias at the start."""
     found, total, weight = list[float](), 0.0, 0.0
     for value in values:
         total = SMOOTH * total + (1.0 - SMOOTH) * value

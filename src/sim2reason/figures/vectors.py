@@ -12,12 +12,12 @@ LEAST = 1e-5  # rise of a slope, and run of one that is not upright, which still
 
 
 def dot(a: complex, b: complex) -> float:
-    """The scalar product."""
+    """Return the scalar product."""
     return a.real * b.real + a.imag * b.imag
 
 
 def cross(a: complex, b: complex) -> float:
-    """The z component of the vector product: positive if `b` is to the left of `a`."""
+    """Return the z component of the vector product: positive if `b` is to the left of `a`."""
     return a.real * b.imag - a.imag * b.real
 
 
@@ -27,7 +27,7 @@ def unit(a: complex) -> complex:
 
 
 def shown(uphill: complex) -> complex:
-    """The direction in which a slope is drawn: level or upright only if it is."""
+    """Return the direction in which a slope is drawn: level or upright only if it is."""
     rise = max(uphill.imag, LEAST) if uphill.imag > NOISE else 0.0
     run = max(abs(uphill.real), LEAST) if abs(uphill.real) > NOISE else 0.0
     return complex(round(-run if uphill.real < 0.0 else run, 9), round(rise, 9))
@@ -39,12 +39,12 @@ def mirrored(a: complex) -> complex:
 
 
 def degrees(a: complex) -> float:
-    """The direction of `a`, counted from the x axis against the clock."""
+    """Return the direction of `a`, counted from the x axis against the clock."""
     return phase(a) * 57.29577951308232
 
 
 def hull(points: Iterable[complex]) -> Polygon:
-    """The convex hull, against the clock."""
+    """Return the convex hull, against the clock."""
     ordered = sorted(set(points), key=lambda p: (p.real, p.imag))
     if len(ordered) < 3:
         return tuple(ordered)
@@ -62,26 +62,26 @@ def _chain(points: Sequence[complex]) -> list[complex]:
 
 
 def box(points: Iterable[complex]) -> Box:
-    """The smallest upright rectangle around points."""
+    """Return the smallest upright rectangle around points."""
     held = list(points)
     across, up = [p.real for p in held], [p.imag for p in held]
     return min(across), min(up), max(across), max(up)
 
 
 def rectangle(center: complex, width: float, height: float, along: complex = RIGHT) -> Polygon:
-    """The corners of a rectangle whose width lies along a unit vector."""
+    """Return the corners of a rectangle whose width lies along a unit vector."""
     half, up = 0.5 * width * along, 0.5 * height * along * 1j
     return (center - half - up, center + half - up, center + half + up, center - half + up)
 
 
 def ring(center: complex, radius: float) -> Polygon:
-    """An octagon around a circle."""
+    """Return an octagon around a circle."""
     corner = radius * 1.0824 * complex(0.92388, 0.38268)  # its sides touch the circle
     return tuple(center + corner * (0.70710678 + 0.70710678j) ** k for k in range(8))
 
 
 def depth(one: Polygon, other: Polygon) -> float:
-    """How far two convex polygons reach into each other; negative or zero if a line parts them."""
+    """Return how far two convex polygons reach into each other; negative or zero if a line parts them."""
     found = float("inf")
     for polygon in (one, other):
         for a, b in pairwise((*polygon, polygon[0])):
@@ -96,7 +96,7 @@ def depth(one: Polygon, other: Polygon) -> float:
 
 
 def inside(point: complex, polygon: Polygon) -> bool:
-    """Whether a point lies in a polygon, convex or not."""
+    """Return whether a point lies in a polygon, convex or not."""
     found = False
     for a, b in pairwise((*polygon, polygon[0])):
         if (a.imag > point.imag) != (b.imag > point.imag):
@@ -105,25 +105,25 @@ def inside(point: complex, polygon: Polygon) -> bool:
 
 
 def from_segment(point: complex, a: complex, b: complex) -> float:
-    """The distance of a point from the segment from `a` to `b`."""
+    """Return the distance of a point from the segment from `a` to `b`."""
     way = unit(b - a)
     return abs(point - a - min(max(dot(point - a, way), 0.0), abs(b - a)) * way)
 
 
 def crosses(a: complex, b: complex, c: complex, d: complex) -> bool:
-    """Whether two segments, from `a` to `b` and from `c` to `d`, meet."""
+    """Return whether two segments, from `a` to `b` and from `c` to `d`, meet."""
     return (cross(b - a, c - a) * cross(b - a, d - a) < 0.0) and (cross(d - c, a - c) * cross(d - c, b - c) < 0.0)
 
 
 def common(one: Box, other: Box) -> float:
-    """The area that two boxes share."""
+    """Return the area that two boxes share."""
     width = min(one[2], other[2]) - max(one[0], other[0])
     height = min(one[3], other[3]) - max(one[1], other[1])
     return width * height if width > 0.0 and height > 0.0 else 0.0
 
 
 def length_inside(a: complex, b: complex, area: Box) -> float:
-    """How much of a segment lies in a box."""
+    """Return how much of a segment lies in a box."""
     enter, leave, way = 0.0, 1.0, b - a
     for start, step, low, high in ((a.real, way.real, area[0], area[2]), (a.imag, way.imag, area[1], area[3])):
         if step == 0.0:

@@ -49,7 +49,7 @@ class Candidate:
 
     @cached_property
     def time(self) -> float | None:
-        """When all that the answer depends on has happened, s."""
+        """Return when all that the answer depends on has happened, s."""
         return self.kind.time(self.question.query, self.study)
 
     @cached_property
@@ -95,17 +95,17 @@ class Candidate:
 
     @property
     def until(self) -> float | None:
-        """How far motions of scenes like this one are followed, s."""
+        """Return how far motions of scenes like this one are followed, s."""
         return None if self.time is None else BEYOND * self.time
 
     @cached_property
     def _responses(self) -> dict[Study, float | None]:
-        """What was answered before: several filters ask about the same changed scenes, and again in symbols."""
+        """Return what was answered before: several filters ask about the same changed scenes, and again in symbols."""
         asked = replace(self.question, text="", formula=None, assumed=())
         return self.study.once(("responses", asked), dict[Study, float | None])
 
     def response(self, other: Study | None) -> float | None:
-        """The answer to the same question about a changed scene; None if it has none there."""
+        """Return the answer to the same question about a changed scene; None if it has none there."""
         if other is None:
             return None
         if other not in self._responses:
@@ -122,7 +122,7 @@ class Candidate:
         return found if found is not None and isfinite(found) else None
 
     def far_response(self, other: Study | None) -> float | None:
-        """The same, looked for as far as it takes, where no result is given."""
+        """Return the same, looked for as far as it takes, where no result is given."""
         if other is None or self.question.given is not None or not _has(other, self.question.query):
             return self.response(other)
         time = self.kind.time(self.question.query, other)
@@ -132,11 +132,11 @@ class Candidate:
         return found if found is not None and isfinite(found) else None
 
     def change(self, other: Study | None) -> float:
-        """The relative change of the answer in a changed scene; infinite if it has none there."""
+        """Return the relative change of the answer in a changed scene; infinite if it has none there."""
         return self.change_to(self.response(other))
 
     def change_to(self, answer: float | None) -> float:
-        """The relative change of the answer to another one; infinite to none."""
+        """Return the relative change of the answer to another one; infinite to none."""
         return inf if answer is None else abs(answer / self.question.answer - 1.0)
 
 
@@ -175,13 +175,13 @@ class Filter(ABC):
     needs_witness: ClassVar[bool] = False
 
     def ready(self, candidate: Candidate) -> bool:
-        """Whether all that it looks at is worked out, so that it may as well come first; by default not."""
+        """Return whether all that it looks at is worked out, so that it may as well come first; by default not."""
         del candidate
         return False
 
     @abstractmethod
     def reason(self, candidate: Candidate) -> str:
-        """Why the question must go, in a few words; empty if it may stay.
+        """Return why the question must go, in a few words; empty if it may stay.
 
         Where a manifest should count several causes apart, the cause stands first, before a colon.
         """
@@ -218,7 +218,7 @@ def sift_scene(study: Study) -> Verdict:
 
 
 def sift(candidate: Candidate, *, witnessed: bool) -> Verdict:
-    """The first verdict against a question among the filters that need a witness, or that need none."""
+    """Return the first verdict against a question among the filters that need a witness, or that need none."""
     filters = [(name, found) for name, found in in_order() if found.needs_witness == witnessed]
     for name, found in sorted(filters, key=lambda each: not each[1].ready(candidate)):
         if reason := found.reason(candidate):
@@ -227,5 +227,5 @@ def sift(candidate: Candidate, *, witnessed: bool) -> Verdict:
 
 
 def in_order() -> list[tuple[str, Filter]]:
-    """All filters with their names, in the order in which they run."""
+    """Return all filters with their names, in the order in which they run."""
     return sorted(FILTERS.items(), key=lambda item: (item[1].needs_witness, item[1].order, item[0]))

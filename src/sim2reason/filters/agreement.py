@@ -13,12 +13,12 @@ class Agreement(Filter):
     order = 0
 
     def reason(self, candidate: Candidate) -> str:
-        """What the kind of question doubts."""
+        """Return what the kind of question doubts."""
         query = candidate.question.query
         return KINDS[query.kind].doubt(query, candidate.study, candidate.certificate)
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """How far the engines part on the motion, and until when they were compared."""
+        """Yield how far the engines part on the motion, and until when they were compared."""
         held = candidate.certificate
         if held is not None and held.agreement:
             worst = max(held.agreement, key=lambda channel: held.agreement[channel])

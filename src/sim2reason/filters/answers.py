@@ -43,7 +43,7 @@ class Degenerate(Filter):
         return "nothing changes it before" if _lasting(candidate) else ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """The result beside the least one, the number that is nearest to the answer, and what it began with."""
+        """Yield the result beside the least one, the number that is nearest to the answer, and what it began with."""
         question, nearest = candidate.question, _nearest(candidate)
         floor = max(_least(candidate), SMALLEST * _scale(candidate))
         yield f"the result is {question.result:.4g}; what is not beyond {floor:.2g} can't be told from zero"
@@ -57,7 +57,7 @@ class Degenerate(Filter):
 
 
 def _least(candidate: Candidate) -> float:
-    """The smallest result."""
+    """Return the smallest result."""
     quantity = _asked(candidate)
     if quantity is not None:
         return least(candidate.study.mechanism, quantity)
@@ -79,14 +79,14 @@ def _stated(candidate: Candidate, unit: str) -> Iterator[float]:
 
 
 def _nearest(candidate: Candidate) -> float | None:
-    """The size of the stated number, of the answer's unit, that is nearest to the answer."""
+    """Return the size of the stated number, of the answer's unit, that is nearest to the answer."""
     answer = candidate.question.answer
     sizes = (abs(said) for said in _stated(candidate, candidate.question.unit))
     return min(sizes, key=lambda size: abs(answer - size), default=None)
 
 
 def _asked(candidate: Candidate) -> Quantity | None:
-    """The quantity that the answer is a value of; None if it is none, such as a time."""
+    """Return the quantity that the answer is a value of; None if it is none, such as a time."""
     query = candidate.question.query
     if query.target is None or KINDS[query.kind].measured(query).name != query.target.quantity:
         return None
@@ -94,13 +94,13 @@ def _asked(candidate: Candidate) -> Quantity | None:
 
 
 def _lasting(candidate: Candidate) -> bool:
-    """Whether a quantity at a later moment still has the value that it has just after the start."""
+    """Return whether a quantity at a later moment still has the value that it has just after the start."""
     start, answer = _start(candidate), candidate.question.result
     return start is not None and abs(answer - start) <= SAME * abs(answer)
 
 
 def _start(candidate: Candidate) -> float | None:
-    """What a quantity at a later moment is just after the start; None where none is asked for."""
+    """Return what a quantity at a later moment is just after the start; None where none is asked for."""
     query, study = candidate.question.query, candidate.study
     if _asked(candidate) is None or query.target is None or not KINDS[query.kind].time(query, study):
         return None
@@ -108,7 +108,7 @@ def _start(candidate: Candidate) -> float | None:
 
 
 def _scale(candidate: Candidate) -> float:
-    """The largest value of the asked quantity on any subject while the motion is described."""
+    """Return the largest value of the asked quantity on any subject while the motion is described."""
     quantity, trace = _asked(candidate), candidate.study.trace
     if quantity is None:
         return 0.0
@@ -141,7 +141,7 @@ class Identifiable(Filter):
         return candidate.study.once(("unfixed", question), lambda: unfixed(question, candidate.study, words))
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """The number, and the range of the others that were tried."""
+        """Yield the number, and the range of the others that were tried."""
         question = candidate.question
         if question.unknown and question.given is not None and not self.reason(candidate):
             values = range_of(candidate.study.scene, question.unknown, question.answer)
@@ -161,7 +161,7 @@ def _speaks_of(path: str, words: Words, text: str) -> bool:
 
 
 def _plain(symbol: str) -> str:
-    """A symbol as prose has it in a formula of its own."""
+    """Return a symbol as prose has it in a formula of its own."""
     return {r"\omega": "ω"}.get(symbol, symbol)
 
 
@@ -192,13 +192,13 @@ class Precision(Filter):
         return f"half a unit in the last place of {changed} changes the count" if changed else ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """The condition number."""
+        """Yield the condition number."""
         total = sqrt(sum(found.size**2 for found in elasticities(candidate)))
         yield f"the condition number is {total:.2f}; up to {WORST:g} is allowed"
 
 
 def _miscounted(candidate: Candidate) -> Iterator[str]:
-    """The addresses of numbers that change what is counted as soon as they are rounded."""
+    """Yield the addresses of numbers that change what is counted as soon as they are rounded."""
     study, question = candidate.study, candidate.question
     for parameter in (parameter for given in givens(study.scene, question.left_open) for parameter in given.parameters):
         value = float(study.scene.value(parameter.path))

@@ -31,7 +31,7 @@ class Shortcut(Filter):
         return ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """What each does to the answer."""
+        """Return what each does to the answer."""
         return (effect.told for effect in effects(candidate, part=True))
 
 
@@ -54,12 +54,12 @@ class Simplified(Filter):
         return ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """What each does to the answer."""
+        """Return what each does to the answer."""
         return (effect.told for effect in effects(candidate, part=False))
 
 
 def _is_about_a_marked_part(effect: Effect, candidate: Candidate) -> bool:
-    """Whether nobody could make that mistake without some part that the item will mark as having no bearing."""
+    """Return whether nobody could make that mistake without some part that the item will mark as having no bearing."""
     without = (part.study for part in effects(candidate, part=True) if part.close and part.study is not None)
     query, slip = candidate.question.query, effect.simplification
     return any(effect.subject not in slip.subjects(query, study) for study in without)

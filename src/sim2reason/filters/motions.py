@@ -42,13 +42,13 @@ class Collision(Filter):
         return ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """When the first collisions are."""
+        """Yield when the first collisions are."""
         hits = [event for event in candidate.study.trace.events if event.kind == "collision"]
         yield from (f"{' and '.join(hit.subjects)} collide at {hit.time:.4g} s" for hit in hits[:SHOWN])
 
 
 def _all_bear(trace: Trace, time: float) -> bool:
-    """Whether there has been a collision, up to a time, of every restitution that pairs have."""
+    """Return whether there has been a collision, up to a time, of every restitution that pairs have."""
     told = {frozenset(meeting.names): meeting.restitution for meeting in trace.mechanism.meetings}
     if len(set(told.values())) == 1:
         return True
@@ -74,7 +74,7 @@ class Jerk(Filter):
         return next((f"{line} becomes taut again" for line in lines if line.partition(".")[0] not in told), "")
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """When strings become taut again, or until when none does."""
+        """Yield when strings become taut again, or until when none does."""
         if not candidate.study.mechanism.strings:
             return
         again = [f"{line} becomes taut again at {time:.4g} s" for time, line in _again(candidate)]
@@ -82,12 +82,12 @@ class Jerk(Filter):
 
 
 def _end(candidate: Candidate) -> float:
-    """The moment, or the end of what is followed, s."""
+    """Return the moment, or the end of what is followed, s."""
     return candidate.time if candidate.time is not None else candidate.study.trace.stable_until
 
 
 def _again(candidate: Candidate) -> Iterator[tuple[float, str]]:
-    """The strings that become taut again before that, with the times, s."""
+    """Yield the strings that become taut again before that, with the times, s."""
     for event in happened(candidate.study.trace.events, _end(candidate)):
         if event.kind == "taut":
             yield from ((event.time, line) for line in event.subjects)

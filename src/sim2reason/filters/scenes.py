@@ -72,7 +72,7 @@ class Taut(SceneFilter):
         return next((f"{name} is slack from the start on" for name, t in _tensions(study).items() if t <= SMALL), "")
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """The least tension."""
+        """Yield the least tension."""
         tensions = _tensions(candidate.study)
         if tensions:
             name = min(tensions, key=lambda each: tensions[each])

@@ -45,7 +45,7 @@ class Sensitivity(Filter):
         return f"reach: {short}" if short else ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """How the answer moves with each number."""
+        """Yield how the answer moves with each number."""
         for found in elasticities(candidate):
             moved = "matters" if matters(candidate, found) else "does not matter"
             yield f"{', '.join(found.given.paths)}: |d ln answer / d ln number| = {found.size:.3g}; it {moved}"
@@ -56,7 +56,7 @@ def _paths(found: list[Given]) -> str:
 
 
 def _is_indifferent(candidate: Candidate, given: Given) -> bool:
-    """Whether such answers by nature do not depend on it, as a period on how far a spring is pulled."""
+    """Return whether such answers by nature do not depend on it, as a period on how far a spring is pulled."""
     other = shifted(candidate.study, given, candidate.until)
     return other is not None and candidate.kind.indifferent(candidate.question.query, candidate.study, other)
 
@@ -84,7 +84,7 @@ def _carrier(mechanism: Mechanism, name: str | None) -> str:
 
 
 def _belongs(given: Given, name: str) -> bool:
-    """Whether it is a number of the part of that name."""
+    """Return whether it is a number of the part of that name."""
     return any(path.startswith(f"{name}.") for path in given.paths)
 
 

@@ -32,7 +32,7 @@ class HiddenNumbers(Filter):
         return "" if again is not None and abs(again - answer) <= SAME * abs(answer) else "a hidden length matters"
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """The answer then."""
+        """Yield the answer then."""
         tight = _tight(candidate)
         again = candidate.response(tight) if tight is not candidate.study else None
         if again is not None:
@@ -48,7 +48,7 @@ def _tight(candidate: Candidate) -> Study | None:
 
 
 def tightest(scene: Scene) -> Scene:
-    """The scene with every hidden number at the low end of what it may be drawn from."""
+    """Return the scene with every hidden number at the low end of what it may be drawn from."""
     for parameter in scene.parameters:
         if parameter.hidden and parameter.value is not None:
             owner, _, name = parameter.path.rpartition(".")
@@ -78,12 +78,12 @@ class Length(Filter):
         return "" if followed(candidate.sentences) else f"more than {LONGEST_STRING} words about one string"
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """The count."""
+        """Yield the count."""
         yield f"{len(candidate.prompt.split())} words of at most {LONGEST}"
 
 
 def followed(sentences: Iterable[str]) -> bool:
-    """Whether no sentence about a string is so long that no finger can follow it."""
+    """Return whether no sentence about a string is so long that no finger can follow it."""
     return all(len(sentence.split()) <= LONGEST_STRING for sentence in sentences if "string" in sentence)
 
 

@@ -46,7 +46,7 @@ class FewLaws(Filter):
     order = 3
 
     def ready(self, candidate: Candidate) -> bool:
-        """Whether the derivation is made, as it is of what is asked for as a formula."""
+        """Return whether the derivation is made, as it is of what is asked for as a formula."""
         return is_derived(candidate.question.query, candidate.study)
 
     def reason(self, candidate: Candidate) -> str:
@@ -63,7 +63,7 @@ class FewLaws(Filter):
         return f"{_counted(laws)}, a formula of {symbols} symbols"
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """The laws of the solution."""
+        """Yield the laws of the solution."""
         found = _derivation(candidate)
         if found is not None:
             yield f"{_counted(number_of_laws(found))}, by {found.strategy}"
@@ -73,7 +73,7 @@ class FewLaws(Filter):
 
 
 def _symbols(found: Solution) -> int | None:
-    """How many symbols the formulas have that are put into each other, at least; None if they become too long.
+    """Return how many symbols the formulas have that are put into each other, at least; None if they become too long.
 
     And None of what an integral gives, unless it is all there is, as u ln(m_0/m_1).
     """
@@ -89,7 +89,7 @@ def _counted(laws: int) -> str:
 
 
 def _derivation(candidate: Candidate) -> Solution | None:
-    """What leads to a formula; None where nothing is looked for, or found."""
+    """Return what leads to a formula; None where nothing is looked for, or found."""
     study, words = candidate.study, candidate.words
     if candidate.kind.beyond_laws or words is None or not words.symbols or study.mechanism is not study.scene.mechanism:
         return None
@@ -122,7 +122,7 @@ class FewSymbols(Filter):
         return f"idle symbols: {len(formula.without)} of {told}" if len(formula.without) > EVER * told else ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """How many symbols the formula holds and lacks."""
+        """Yield how many symbols the formula holds and lacks."""
         formula = candidate.question.formula
         if formula is not None:
             yield f"{len(formula.within)} symbols of bodies and of the question; {least(candidate)} must be there"
@@ -150,7 +150,7 @@ class OneLine(Filter):
         return "" if line and turns_by_weight(candidate) else line
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """The product or sum, if it is one."""
+        """Yield the product or sum, if it is one."""
         yield (
             product_of(candidate) or sum_of(candidate) or "the answer is no product of stated numbers, nor a sum of two"
         )

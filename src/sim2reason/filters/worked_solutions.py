@@ -20,13 +20,13 @@ class Derivable(Filter):
         return "only an integration leads to it" if candidate.kind.derivable and not _derived(candidate) else ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """The strategy that leads to the answer."""
+        """Yield the strategy that leads to the answer."""
         if candidate.kind.derivable and (found := _derived(candidate)):
             yield f"it is derived by: {found}"
 
 
 def _derived(candidate: Candidate) -> str:
-    """The strategy by which it is; empty if there is none."""
+    """Return the strategy by which it is; empty if there is none."""
     query, study = candidate.question.query, candidate.study
     return study.once(("derived by", query), lambda: _found(candidate))
 
@@ -73,7 +73,7 @@ class FitsLabel(Filter):
         return f"{TOO_HARD if score > band.most else TOO_EASY}: a score of {score} for {candidate.difficulty}"
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """What is measured."""
+        """Yield what is measured."""
         found = candidate.measured
         if found is not None:
             yield f"laws {found.laws}, phases {found.phases}, unknowns together {found.unknowns}, score {found.score}"
@@ -102,7 +102,7 @@ class Needs(Filter):
         return "" if need in candidate.needs else f"{need.label}: it needs that"
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """What it needs."""
+        """Yield what it needs."""
         if candidate.solution is not None:
             strategy = candidate.solution.strategy
             yield f"{candidate.solution.needs.label}, by {strategy or 'nothing but integration'}"

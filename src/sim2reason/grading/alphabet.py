@@ -139,11 +139,11 @@ CLOSES: Final = {"(": ")", "[": "]", "{": "}"}
 
 
 def is_angle(name: str) -> bool:
-    """Whether a symbol of this name, in its one spelling, is that of an angle."""
+    """Return whether a symbol of this name, in its one spelling, is that of an angle."""
     return name.partition("_")[0] in ANGLES
 
 
 def either(kind: str, text: str = "") -> str:
-    """A pattern for the names of the commands of one kind, or of those that also mean one thing."""
+    """Return a pattern for the names of the commands of one kind, or of those that also mean one thing."""
     names = (name for name, (is_of, means) in COMMANDS.items() if is_of.split()[0] == kind and text in {"", means})
     return "|".join(re.escape(name) for name in sorted(names, key=len, reverse=True))

@@ -77,7 +77,7 @@ def _finite(x: float) -> float:
 
 
 def value(node: Node, bindings: Mapping[str, float]) -> float | None:
-    """The value of `node` at `bindings`; None where it is not a finite real number."""
+    """Return the value of `node` at `bindings`; None where it is not a finite real number."""
     try:
         found = node(bindings)
     except (ArithmeticError, ValueError):
@@ -86,12 +86,12 @@ def value(node: Node, bindings: Mapping[str, float]) -> float | None:
 
 
 def constant(x: float) -> Node:
-    """A number; an infinite one is undefined wherever it is used."""
+    """Return a number; an infinite one is undefined wherever it is used."""
     return (lambda _: x) if isfinite(x) else (lambda _: _finite(x))
 
 
 def symbol(name: str) -> Node:
-    """What the bindings give for `name`."""
+    """Return what the bindings give for `name`."""
     return lambda bindings: bindings[name]
 
 
@@ -101,12 +101,12 @@ def negated(node: Node) -> Node:
 
 
 def degrees(node: Node) -> Node:
-    """An angle given in degrees, in radians."""
+    """Return an angle given in degrees, in radians."""
     return lambda bindings: math.radians(node(bindings))
 
 
 def total(terms: Sequence[tuple[Node, bool]]) -> Node:
-    """The sum of `terms`, each with whether it is taken away; flat, so that a long sum is no deep recursion."""
+    """Return the sum of `terms`, each with whether it is taken away; flat, so that a long sum is no deep recursion."""
     if len(terms) == 1:
         return negated(terms[0][0]) if terms[0][1] else terms[0][0]
 
@@ -120,7 +120,7 @@ def total(terms: Sequence[tuple[Node, bool]]) -> Node:
 
 
 def product(factors: Sequence[tuple[Node, bool]]) -> Node:
-    """The product of `factors` from left to right, each with whether it divides."""
+    """Return the product of `factors` from left to right, each with whether it divides."""
     if len(factors) == 1 and not factors[0][1]:
         return factors[0][0]
 
@@ -144,7 +144,7 @@ def power(base: Node, exponent: Node) -> Node:
 
 
 def root(radicand: Node, index: Node) -> Node:
-    """The real root, that of a negative number too where the index is odd."""
+    """Return the real root, that of a negative number too where the index is odd."""
 
     def evaluate(bindings: Mapping[str, float]) -> float:
         x, n = radicand(bindings), index(bindings)
@@ -155,7 +155,7 @@ def root(radicand: Node, index: Node) -> Node:
 
 
 def call(name: str, argument: Node) -> Node:
-    """An elementary function of `argument`."""
+    """Return an elementary function of `argument`."""
     function = _FUNCTIONS.get(_ALIASES.get(name, name))
     if function is None:
         raise Refused(Outcome.UNREADABLE, f"{name!r} is no function that is known here")
@@ -168,5 +168,5 @@ def call(name: str, argument: Node) -> Node:
 
 
 def inverse(name: str) -> str:
-    r"""The function that ``\name^{-1}`` means."""
+    r"""Return the function that ``\name^{-1}`` means."""
     return _HYPERBOLIC.get(name, f"arc{name}")

@@ -50,7 +50,7 @@ def choice(
 
 
 def _with_value(content: str, letters: str, values: Sequence[float], unit: str | None) -> str:
-    """The letter of the option whose number an answer gives; empty where a letter before it is another one's."""
+    """Return the letter of the option whose number an answer gives; empty where a letter before it is another one's."""
     named, rest = _led(content)
     rest = rf"\boxed{{{rest}}}"
     pairs = zip(letters, values, strict=True)

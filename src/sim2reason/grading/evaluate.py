@@ -24,7 +24,7 @@ class CompiledFormula:
     _node: Node
 
     def value(self, point: Mapping[str, float]) -> float | None:
-        """Its value at `point`, which has all of `symbols`; None where it is not a finite real number."""
+        """Return its value at `point`, which has all of `symbols`; None where it is not a finite real number."""
         return arithmetic.value(self._node, {self._names[name]: point[name] for name in self.symbols})
 
 

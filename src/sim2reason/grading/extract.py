@@ -24,7 +24,7 @@ _BRACE: Final = re.compile(r"\\boxed[ \t\n]{0,8}\{|\\[\\{}]|[{}]")
 
 
 def text_of(given: object) -> str:
-    """The text of a response: itself, or that of the last of several messages; bytes as UTF-8.
+    """Return the text of a response: itself, or that of the last of several messages; bytes as UTF-8.
 
     Raises `Refused`: no answer, where it holds no text.
     """
@@ -55,7 +55,7 @@ def opened(given: object) -> object:
 
 
 def spoken(given: object) -> str:
-    """What was said after the thinking; refused if the thinking never ended."""
+    """Return what was said after the thinking; refused if the thinking never ended."""
     response = text_of(given)
     if len(response) > MAX_RESPONSE:
         raise Refused(Outcome.TOO_LONG, f"the response has more than {MAX_RESPONSE} characters")

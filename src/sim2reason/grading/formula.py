@@ -149,7 +149,7 @@ def _kept(
 
 
 def _value_of(content: str, tokens: Sequence[Token]) -> tuple[Node, tuple[Direction, ...]]:
-    """The value that `tokens` spell, and the directions behind it; a unit in upright text is ignored."""
+    """Return the value that `tokens` spell, and the directions behind it; a unit in upright text is ignored."""
     node, taken, refusal = parse(tokens, unit_follows=False)
     if taken == len(tokens):
         return node, ()
@@ -207,7 +207,7 @@ def _pairs(
 
 
 def _checked(content: str, stated: Statement, node: Node, truth: _Truth, tolerance: float) -> Node | None:
-    """The side before the value, if it is one; `Refused` where a side is another formula of the table."""
+    """Return the side before the value, if it is one; `Refused` where a side is another formula of the table."""
     last: Node | None = None
     if not stated.before and not stated.others:
         return None
@@ -227,7 +227,7 @@ def _checked(content: str, stated: Statement, node: Node, truth: _Truth, toleran
 
 
 def _differ(node: Node, wanted: Sequence[float | None], truth: _Truth, tolerance: float) -> bool:
-    """Whether a formula is apart from what is wanted at a point, by more than rounding explains."""
+    """Return whether a formula is apart from what is wanted at a point, by more than rounding explains."""
     return any(
         mine is None or yours is None or abs(mine - yours) > max(AGREE, tolerance) * max(abs(mine), abs(yours))
         for _, mine, yours in _pairs(truth, node, wanted)
@@ -235,7 +235,7 @@ def _differ(node: Node, wanted: Sequence[float | None], truth: _Truth, tolerance
 
 
 def _whole(side: Sequence[Token]) -> Node | None:
-    """The value of a side; None where it has something that is not in the table."""
+    """Return the value of a side; None where it has something that is not in the table."""
     try:
         node, taken, _ = parse(side, unit_follows=False)
     except Refused:

@@ -18,7 +18,7 @@ _LONGEST: Final = 16  # tokens of a unit
 
 
 def unit_on_left(content: str, sides: Iterable[Sequence[Token]], asked: Unit | None) -> Unit | None:
-    """The unit that the sides before a bare value state for it; `Refused` (unreadable) where they state two."""
+    """Return the unit that the sides before a bare value state for it; `Refused` (unreadable) where they state two."""
     found: Unit | None = None
     for side in sides:
         for tokens in _candidates(content, side):
@@ -36,7 +36,7 @@ def unit_on_left(content: str, sides: Iterable[Sequence[Token]], asked: Unit | N
 
 
 def _candidates(content: str, side: Sequence[Token]) -> Iterable[Sequence[Token]]:
-    """What may be a unit: what stands in brackets, behind *in*, and in upright text behind a name."""
+    """Return what may be a unit: what stands in brackets, behind *in*, and in upright text behind a name."""
     named = False
     for at, token in enumerate(side):
         if token.kind == "open" and token.text in "([":
@@ -65,7 +65,7 @@ def _until_closed(side: Sequence[Token], start: int) -> Sequence[Token]:
 
 
 def _stands_apart(content: str, side: Sequence[Token], at: int) -> bool:
-    """Whether a sign of a unit, or an upright word behind a space or a slash, stands here."""
+    """Return whether a sign of a unit, or an upright word behind a space or a slash, stands here."""
     token = side[at]
     if token.kind in {"percent", "degree"}:
         return True

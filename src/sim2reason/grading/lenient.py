@@ -130,7 +130,7 @@ def _equation(before: str) -> str:
 
 
 def _unit_before_prose(tail: str) -> str | None:
-    """The unit that a sentence goes on with, empty after a comma; None where it may be about another value."""
+    """Return the unit that a sentence goes on with, empty after a comma; None where it may be about another value."""
     if tail.startswith(","):
         return "" if _is_prose(tail.split()) else None
     words = tail.split()
@@ -145,7 +145,7 @@ def _unit_before_prose(tail: str) -> str | None:
 
 
 def _is_prose(words: list[str]) -> bool:
-    """Whether words have no number and nothing that offers another value."""
+    """Return whether words have no number and nothing that offers another value."""
     plain = {word.strip(",.;:()").lower() for word in words}
     return not plain & (_DENIED_BEHIND | HEDGES | SOFT_HEDGES - {"to", "and"}) and not any(
         re.search(r"[0-9<>±~]", word) for word in words

@@ -110,7 +110,7 @@ def unit_stated(content: str) -> Unit | None:
 
 
 def _answer(response: object, asked: Unit | None, *, lenient: bool) -> _Quantity:
-    """What stands in the box."""
+    """Return what stands in the box."""
     try:
         return _stated(boxed(response), asked)
     except Refused as refused:
@@ -126,7 +126,7 @@ def _answer(response: object, asked: Unit | None, *, lenient: bool) -> _Quantity
 
 
 def _stated(content: str, asked: Unit | None) -> _Quantity:
-    """The quantity that an answer's last side says, with which the sides before it agree."""
+    """Return the quantity that an answer's last side says, with which the sides before it agree."""
     content = spelled(content.rstrip(" \t\n."))
     part = _PART.match(content)
     content = content[part.end() :] if part is not None else content
@@ -162,7 +162,7 @@ def _quantity(content: str, tokens: Sequence[Token], asked: Unit | None) -> _Qua
 
 
 def _behind(tail: str, asked: Unit | None, refusal: Refused | None) -> tuple[Unit | None, Remark]:
-    """The unit and the remark that the text behind a value spells."""
+    """Return the unit and the remark that the text behind a value spells."""
     if tail[0] == ":" and _TO_ONE.fullmatch(tail) and (asked is None or not any(asked.dimension)):
         return None, _NO_REMARK
     if tail[0].isdigit() and not _RECIPROCAL.match(tail):
@@ -203,7 +203,7 @@ def _check(content: str, said: Statement, found: _Quantity, asked: Unit | None) 
 
 
 def _step(content: str, side: Sequence[Token], asked: Unit | None) -> _Quantity | None:
-    """The value that a step gives to another name; None for an expression of symbols.
+    """Return the value that a step gives to another name; None for an expression of symbols.
 
     None, too, where its unit shows that it can't be the answer.
     """
@@ -258,7 +258,7 @@ def _claim(content: str, side: Sequence[Token], asked: Unit | None) -> _Quantity
 
 
 def _agree(one: _Quantity, other: _Quantity, asked: Unit | None) -> bool:
-    """Whether two say the same: bare numbers in either's unit, in that of the SI, or in the asked one."""
+    """Return whether two say the same: bare numbers in either's unit, in that of the SI, or in the asked one."""
     if one.unit is not None and other.unit is not None:
         factor = one.unit.factor_to(other.unit)
         return factor is not None and _near(one.value * factor, other.value)
@@ -303,5 +303,5 @@ def _show(value: float, unit: Unit | None) -> str:
 
 @lru_cache(maxsize=256)
 def _template(unit: Unit) -> str:
-    """How a number in a unit is shown, with # for the number."""
+    """Return how a number in a unit is shown, with # for the number."""
     return unit.quantity("#")

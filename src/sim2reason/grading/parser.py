@@ -51,7 +51,7 @@ class _Parser:
         return True
 
     def sign(self) -> bool:
-        """Whether a minus stands here; an en dash counts as one where a value must follow."""
+        """Return whether a minus stands here; an en dash counts as one where a value must follow."""
         return self.next.kind in _SIGNS and self.take().kind != "plus"
 
     def expression(self) -> Node:
@@ -66,7 +66,7 @@ class _Parser:
         return arithmetic.total(terms)
 
     def quotient(self) -> Node:
-        r"""A sum, or two with ``\over`` between them: what a pair of braces holds."""
+        r"""Return a sum, or two with ``\over`` between them: what a pair of braces holds."""
         above = self.expression()
         if not self.skip("over"):
             return above
@@ -90,7 +90,7 @@ class _Parser:
             factors.append(factor)
 
     def next_factor(self, *, divided: bool) -> tuple[Node, bool] | None:
-        """The next factor and whether it divides; None where the product ends."""
+        """Return the next factor and whether it divides; None where the product ends."""
         if self.next.kind in {"times", "slash"} or self.is_cross():
             divides = self.take().kind == "slash"
             negative = self.sign()
@@ -108,7 +108,7 @@ class _Parser:
         return factor, False
 
     def starts(self) -> bool:
-        """Whether a factor may begin here without a sign."""
+        """Return whether a factor may begin here without a sign."""
         token, inside = self.next, self.tokens[self.at + 1].kind
         if token.kind == "open":  # braces are unseen in print, where 3{.5} reads as 3.5
             return inside in _STARTS | {"open"} or (token.text != "{" and inside != "word")
@@ -118,7 +118,7 @@ class _Parser:
         return self.next.kind == "bar" and (self.next.text == "(" or self.next.text == "|" != self.in_bars)
 
     def is_cross(self) -> bool:
-        """Whether the letter x here is the times sign of a power of ten."""
+        """Return whether the letter x here is the times sign of a power of ten."""
         cross = self.next
         if cross.kind != "word" or cross.text not in {"x", "X"}:
             return False
@@ -126,7 +126,7 @@ class _Parser:
         return ten.text == "10" and power.kind in {"power", "script"}
 
     def is_mixed(self) -> bool:
-        """Whether a whole number precedes a fraction of whole numbers, as in 1½."""
+        """Return whether a whole number precedes a fraction of whole numbers, as in 1½."""
         raised = self.tokens[self.at - 2].kind == "power"
         if self.next.kind == "part" and self.tokens[self.at - 1].kind == "number":
             return True
@@ -149,7 +149,7 @@ class _Parser:
         return base
 
     def exponent(self) -> Node:
-        """What stands raised: a group, or a sign and one atom; towers associate to the right."""
+        """Return what stands raised: a group, or a sign and one atom; towers associate to the right."""
         self.deeper()
         negative = self.sign()
         node = self.group() if self.next.kind == "open" else self.atom()
@@ -197,7 +197,7 @@ class _Parser:
         return group
 
     def unexpected(self) -> Refused:
-        """Why the next token cannot stand where it does."""
+        """Return why the next token cannot stand where it does."""
         match self.next.kind:
             case "end":
                 return _unreadable("the answer breaks off")
@@ -230,7 +230,7 @@ class _Parser:
         return arithmetic.call("abs", inside)
 
     def argument(self) -> Node:
-        """What a command of TeX takes: a group, or a single digit or letter."""
+        """Return what a command of TeX takes: a group, or a single digit or letter."""
         if self.next.kind != "number":
             self.deeper()
             node = self.group() if self.next.kind == "open" else self.atom()
@@ -291,7 +291,7 @@ class _Parser:
 
 
 def parse(tokens: Sequence[Token], *, unit_follows: bool) -> tuple[Node, int, Refused | None]:
-    """The value that `tokens` begin with, how many of them it takes, and what kept it from taking more.
+    """Return the value that `tokens` begin with, how many of them it takes, and what kept it from taking more.
 
     What is left may be a unit. Raises `Refused`: unreadable, wrong (a range), or too long (nested too deeply).
     """

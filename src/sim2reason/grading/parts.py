@@ -60,7 +60,7 @@ def _graded(answer: str | None, grader: Grader) -> Score:
 
 
 def _together(labels: str, found: tuple[Score, ...], *, partial: bool) -> Score:
-    """All parts as one score: correct if all are, else the outcome of the first part that is not."""
+    """Return all parts as one score: correct if all are, else the outcome of the first part that is not."""
     failed = [score for score in found if score.outcome is not Outcome.CORRECT]
     outcome = failed[0].outcome if failed else Outcome.CORRECT
     share = (len(found) - len(failed)) / len(found)
@@ -76,7 +76,7 @@ def _shown(parsed: float | str | None) -> str:
 
 
 def _answers(content: str, labels: str) -> dict[str, str]:
-    """The text behind each label."""
+    """Return the text behind each label."""
     text = _RUN.sub(_parted, _INNER.sub(r"(\1)", _in_rows(content)))
     found = list(_LABEL.finditer(text))
     said: dict[str, str] = {}
@@ -94,13 +94,13 @@ def _answers(content: str, labels: str) -> dict[str, str]:
 
 
 def _in_rows(content: str) -> str:
-    """The content; where all of it is the rows of an array, these alone."""
+    """Return the content; where all of it is the rows of an array, these alone."""
     found = _LINES.fullmatch(content)
     return found["rows"].replace("&", " ") if found else content
 
 
 def _parted(run: re.Match[str]) -> str:
-    """A text in a font, cut where labels stand in it, so that each label stands by itself."""
+    """Return a text in a font, cut where labels stand in it, so that each label stands by itself."""
     pieces = _LABEL.split(run[2])
     if len(pieces) == 1:
         return run[0]
@@ -110,7 +110,7 @@ def _parted(run: re.Match[str]) -> str:
 
 
 def _is_balanced(text: str) -> bool:
-    """Whether each brace has its partner within the text."""
+    """Return whether each brace has its partner within the text."""
     depth = 0
     for brace in re.findall(r"(?<!\\)[{}]", text):
         depth += 1 if brace == "{" else -1

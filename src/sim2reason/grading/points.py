@@ -29,7 +29,7 @@ Ranges = Mapping[str, tuple[float, float]]
 
 
 def _share(*seed: object) -> float:
-    """A number in [0, 1) that depends on nothing but `seed`."""
+    """Return a number in [0, 1) that depends on nothing but `seed`."""
     digest = blake2b("\0".join(map(str, seed)).encode(errors="replace"), digest_size=8).digest()
     return int.from_bytes(digest) / 2**64
 
@@ -66,7 +66,7 @@ def _ends(name: str, ranges: Ranges, low: float, high: float) -> tuple[float, fl
 
 
 def _within(ends: Ranges, seed: str, attempt: int, scale: float) -> Bindings:
-    """One point; over decades where the ends are positive."""
+    """Return one point; over decades where the ends are positive."""
     point: dict[str, float] = {}
     for name, (low, high) in ends.items():
         share = _share(seed, attempt, name, scale)
@@ -76,7 +76,7 @@ def _within(ends: Ranges, seed: str, attempt: int, scale: float) -> Bindings:
 
 
 def _around(given: Bindings, names: Sequence[str], seed: str, attempt: int, far: float = AROUND) -> Bindings:
-    """All of a point moved at once, each by a factor; an angle within its quadrant, and zero to something."""
+    """Return all of a point moved at once, each by a factor; an angle within its quadrant, and zero to something."""
     point: dict[str, float] = {}
     for name in names:
         value, share = given[name], _share(seed, attempt, name)
@@ -89,7 +89,7 @@ def _around(given: Bindings, names: Sequence[str], seed: str, attempt: int, far:
 
 
 def sound(node: Node, points: Sequence[Bindings]) -> list[tuple[Bindings, float]]:
-    """The points where a reference has a value with digits to compare: a difference that cancels has none."""
+    """Return the points where a reference has a value with digits to compare: a difference that cancels has none."""
     found: list[tuple[Bindings, float]] = []
     for point in points:
         value = arithmetic.value(node, point)

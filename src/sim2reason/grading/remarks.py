@@ -114,12 +114,12 @@ class Remark:
 
 
 def begins(word: str) -> bool:
-    """Whether a word can begin a remark; none that can is a unit."""
+    """Return whether a word can begin a remark; none that can is a unit."""
     return word.lower() in STARTERS
 
 
 def cut(tail: str) -> tuple[str, str]:
-    """What follows a value, cut into the unit and the remark."""
+    """Return what follows a value, cut into the unit and the remark."""
     for found in _BREAK.finditer(tail):
         kind = found.lastgroup
         if kind in {"comma", "arrow"} or (kind == "word" and begins(found[0])):
@@ -130,7 +130,7 @@ def cut(tail: str) -> tuple[str, str]:
 
 
 def _remarks(inside: str) -> bool:
-    """Whether a bracket holds a remark and no unit."""
+    """Return whether a bracket holds a remark and no unit."""
     plain = printed(inside).lstrip()
     word = re.match(r"[A-Za-zµΩ]+|[-−+≈=0-9]|\\approx", plain)
     if word is None or plain.startswith("1/"):
@@ -139,17 +139,17 @@ def _remarks(inside: str) -> bool:
 
 
 def is_blank(text: str) -> bool:
-    """Whether nothing is left of a text without its braces, spaces and full stops."""
+    """Return whether nothing is left of a text without its braces, spaces and full stops."""
     return not printed(text).strip(" \t\n.")
 
 
 def printed(text: str) -> str:
-    """A text without the commands and signs that print does not show, with spaces in their place."""
+    """Return a text without the commands and signs that print does not show, with spaces in their place."""
     return _WRAPPER.sub(" ", text)
 
 
 def read(text: str) -> Remark:
-    """The remark that `text` is made of.
+    """Return the remark that `text` is made of.
 
     Raises `Refused`: wrong where it offers a second value, unreadable where it has a word that is not in the list.
     """
@@ -167,7 +167,7 @@ def read(text: str) -> Remark:
 
 
 def _pieces(text: str) -> list[tuple[bool, str]]:
-    """The parts between commas and brackets, each with whether it stood in brackets."""
+    """Return the parts between commas and brackets, each with whether it stood in brackets."""
     pieces: list[tuple[bool, str]] = []
     bracket, start = False, 0
     for found in re.finditer(r"(?<!\\)[,;]|[()\[\]]", text):
@@ -183,7 +183,7 @@ def _accuracy(plain: str) -> bool:
 
 
 def _directions(plain: str) -> list[Direction]:
-    """The directions that words speak of; all of them must be in the list, and one must mean something."""
+    """Return the directions that words speak of; all of them must be in the list, and one must mean something."""
     if _accuracy(plain):
         return []
     words = _lowered(_AT_ANGLE.sub(" ", plain, count=1))
@@ -199,7 +199,7 @@ def _directions(plain: str) -> list[Direction]:
 
 
 def _lowered(plain: str) -> list[str]:
-    """The words of a phrase, each direction as one of `_WAYS`, an axis that is named alone as *x-axis*."""
+    """Return the words of a phrase, each direction as one of `_WAYS`, an axis that is named alone as *x-axis*."""
     lowered = _ARROWS.sub(lambda arrow: f" {(COMMANDS[arrow[1]] if arrow[1] else SIGNS[arrow[2]])[1]} ", plain).lower()
     lowered = re.sub(r"\b(?:counter|anti)[\s-]clockwise\b", "counterclockwise", lowered)
     lowered = _AXIS.sub(lambda axis: f" {'-' if (axis[1] or axis[2]) in 'negative-−–' else '+'}{axis[3]} ", lowered)
@@ -208,7 +208,7 @@ def _lowered(plain: str) -> list[str]:
 
 
 def direction_of(text: str) -> Direction | None:
-    """The one direction that words speak of; None if there is none, or more than one."""
+    """Return the one direction that words speak of; None if there is none, or more than one."""
     words = _lowered(printed(text))
     found = {_WAYS[word] for word in words if word in _WAYS} | {_AXES[word] for word in words if word in _AXES}
     return Direction(*found.pop()) if len(found) == 1 else None

@@ -50,7 +50,7 @@ class Statement:
 
 
 def statement(tokens: Tokens) -> Statement:
-    """What an answer's tokens state.
+    """Return what an answer's tokens state.
 
     Raises `Refused`: wrong where it hedges (a list, a range, ±, "or", an inequality), unreadable where nothing or too
     much is left to be the value.
@@ -79,12 +79,12 @@ def _unreadable(why: str) -> Refused:
 
 
 def two_values() -> Refused:
-    """The refusal of an answer that gives two names two values."""
+    """Return the refusal of an answer that gives two names two values."""
     return _unreadable("it names two values, and nothing says which is meant")
 
 
 def more_or_less(token: Token) -> Refused:
-    """The refusal of an answer for a token that could make another value of it."""
+    """Return the refusal of an answer for a token that could make another value of it."""
     return Refused(Outcome.WRONG, f"'{token.shown}' makes it more, or less, than one value")
 
 
@@ -136,7 +136,7 @@ def _parts(tokens: Tokens) -> list[tuple[bool, Tokens]]:
 
 
 def _divides(tokens: Tokens, position: int, *, related: bool) -> bool | None:
-    """Whether a new statement begins behind this token, and as a conclusion; None if none does.
+    """Return whether a new statement begins behind this token, and as a conclusion; None if none does.
 
     `related` says that a relation follows.
     """
@@ -155,7 +155,7 @@ def _divides(tokens: Tokens, position: int, *, related: bool) -> bool | None:
 
 
 def _sides(tokens: Tokens) -> tuple[list[Tokens], list[Token]]:
-    """The sides of a chain and what stands between them: relations, a colon or a verb behind words."""
+    """Return the sides of a chain and what stands between them: relations, a colon or a verb behind words."""
     sides: list[Tokens] = [[]]
     relations: list[Token] = []
     depth = 0
@@ -203,7 +203,7 @@ def _check_earlier(tokens: Tokens, name: Tokens, *, implied: bool) -> list[Token
 
 
 def _chosen(sides: list[Tokens], relations: Sequence[Token]) -> Statement:
-    """The last side, where those before it leave no doubt."""
+    """Return the last side, where those before it leave no doubt."""
     if len(sides) > 1 and _is_name_of(sides[-1], sides[-2]):
         sides, relations = [sides[-1], *sides[:-1]], [relations[-1], *relations[:-1]]
     value = unwrapped(sides[-1])
@@ -233,7 +233,7 @@ def _doubt(tokens: Tokens) -> Token | None:
 
 
 def is_signed(tokens: Sequence[Token]) -> bool:
-    """Whether a value begins with a sign, be it in parentheses or above a fraction's bar."""
+    """Return whether a value begins with a sign, be it in parentheses or above a fraction's bar."""
     first = next((token for token in tokens if token.kind not in {"open", "fraction"}), None)
     return first is not None and first.kind in {"plus", "minus", "dash"}
 

@@ -64,13 +64,13 @@ def _number(text: str) -> str:
 
 
 def _split(text: str) -> tuple[str, str]:
-    r"""The number and the unit of a ``\\pu``."""
+    r"""Return the number and the unit of a ``\\pu``."""
     found = _NUMBER.match(text)
     return (text[: found.end()], text[found.end() :]) if found else (text, "")
 
 
 def _unit(text: str) -> str:
-    r"""A unit of macros, of letters or of both; ``\\per`` divides by the next alone."""
+    r"""Return a unit of macros, of letters or of both; ``\\per`` divides by the next alone."""
     unit = _Unit()
     for found in _MACRO.finditer(text):
         name, argument = found["name"] or "", found["argument"] or ""
@@ -146,7 +146,7 @@ def _misplaced(what: str) -> Refused:
 
 
 def _prefixed(prefix: str, word: str) -> str:
-    """A symbol with its prefix, if that is no other unit's: a centiday is no candela."""
+    """Return a symbol with its prefix, if that is no other unit's: a centiday is no candela."""
     try:
         if parse_unit(prefix + word).dimension == parse_unit(word).dimension:
             return prefix + word

@@ -85,7 +85,7 @@ def spelled(content: str) -> str:
 
 
 def balanced(text: str) -> str:
-    """A piece of an answer without the braces that close nothing in it, as print has none."""
+    """Return a piece of an answer without the braces that close nothing in it, as print has none."""
     if "}" not in text:
         return text
     depth, kept = 0, list[str]()

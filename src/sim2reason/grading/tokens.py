@@ -50,7 +50,7 @@ class Token(NamedTuple):
 
     @property
     def shown(self) -> str:
-        """What the answer has there."""
+        """Return what the answer has there."""
         return self.said or self.text
 
 
@@ -256,7 +256,7 @@ class _Lexer:
 
 
 def tokenize(text: str, symbols: Collection[str] | None, *, primes: bool = False) -> list[Token]:
-    """The tokens of `text`, with letters read by a table of canonical symbol names, or all as symbols if None.
+    """Return the tokens of `text`, with letters read by a table of canonical symbol names, or all as symbols if None.
 
     A table says which names have primes; without one, `primes` allows them in all.
 
@@ -274,7 +274,7 @@ _HEDGING: Final = dict.fromkeys(HEDGES, "hedge") | dict.fromkeys(SOFT_HEDGES, "s
 
 @lru_cache(maxsize=2048)
 def canonical(name: str) -> str:
-    r"""The one spelling of a symbol: ``\mu_{k}``, ``μ_k`` and ``mu_k`` are all ``mu_k``."""
+    r"""Return the one spelling of a symbol: ``\mu_{k}``, ``μ_k`` and ``mu_k`` are all ``mu_k``."""
     tokens = tokenize(name, None, primes=True)
     plain = name.strip().lstrip("\\")
     if len(tokens) == 1 and tokens[0].kind in {"symbol", "constant"}:

@@ -54,7 +54,7 @@ _SPLIT: Final = re.compile(r"(?<![A-Za-z\\])(kg|k?N|k?J|g)?(m)?(s)(?![A-Za-z])|(
 
 @lru_cache(maxsize=1024)
 def unit_in(text: str, asked: Unit | None) -> Unit:
-    """The unit that `text` spells; of two that it could be, the one that `asked` compares with.
+    """Return the unit that `text` spells; of two that it could be, the one that `asked` compares with.
 
     Raises `UnitError` for what is none.
     """
@@ -90,7 +90,7 @@ def _spellings(text: str) -> Iterator[str]:
 
 
 def _read(text: str) -> Unit:
-    """A unit of the table, or one with a turn, of 2π rad, to the first power."""
+    """Return a unit of the table, or one with a turn, of 2π rad, to the first power."""
     turns = _TURNS.findall(text)
     if not turns:
         return combined(text, FURTHER)
@@ -102,7 +102,7 @@ def _read(text: str) -> Unit:
 
 
 def is_unit(text: str) -> bool:
-    """Whether `text` spells a unit."""
+    """Return whether `text` spells a unit."""
     try:
         unit_in(text, None)
     except UnitError:

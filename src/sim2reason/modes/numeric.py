@@ -37,7 +37,7 @@ class Numeric(QuestionMode):
     def ask(
         self, study: Study, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything
     ) -> Question | None:
-        """Whatever a kind draws that suits, if it has a finite answer."""
+        """Return whatever a kind draws that suits, if it has a finite answer."""
         found = (self._asked(asked, study, words, rng, suits) for asked in ([KINDS[kind]] if kind else by_share(rng)))
         return next((question for question in found if question is not None), None)
 
@@ -51,7 +51,7 @@ class Numeric(QuestionMode):
         return self.asking(query, study, words, rng) if query is not None else None
 
     def asking(self, query: Query, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
-        """The question with a query, if that has a finite answer."""
+        """Return the question with a query, if that has a finite answer."""
         asked, offered = KINDS[query.kind], targets(words)
         answer = asked.answer(query, study)
         if answer is None or not np.isfinite(answer):
@@ -63,7 +63,7 @@ class Numeric(QuestionMode):
         return Question(self.name, query, sentence(chosen(shapes, rng)), answer, unit, sign, query.hides)
 
     def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
-        """A query in the words of its kind; what the text leaves unknown must be what it asks for."""
+        """Return a query in the words of its kind; what the text leaves unknown must be what it asks for."""
         query = parse_question(text, study, words, self.kinds) if not words.symbolic else None
         hidden = {unknown.path for unknown in words.unknowns}
         return ParsedQuestion(self.name, query) if query is not None and hidden <= {query.hides} else None

@@ -62,7 +62,7 @@ class Reverse(QuestionMode):
     def ask(
         self, study: Study, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything
     ) -> Question | None:
-        """A result of this motion, and a number that it fixes, or the time at which it is first so."""
+        """Return a result of this motion, and a number that it fixes, or the time at which it is first so."""
         if kind in TIMES and rng.random() < TIMES[kind]:
             return _asking_when(study, words, rng, suits)
         found = (self._asked(asked, study, words, rng, suits) for asked in ([KINDS[kind]] if kind else by_share(rng)))
@@ -95,7 +95,7 @@ class Reverse(QuestionMode):
     def _with_unknown(
         self, query: Query, unknown: Unknown, result: float, study: Study, words: Words, rng: np.random.Generator
     ) -> Question | None:
-        """The question for a number, where the result of a query fixes it."""
+        """Return the question for a number, where the result of a query fixes it."""
         asked = KINDS[query.kind]
         likely = likely_answers(query, study, words, unknown.path)
         dependence = Dependence(query, study, unknown.path, likely=likely)
@@ -111,7 +111,7 @@ class Reverse(QuestionMode):
         return Question(self.name, query, text, answer, unknown.unit, "", unknown.path, given, elasticity)
 
     def study(self, question: Question, study: Study) -> Study:
-        """The motion that has exactly the result that is given."""
+        """Return the motion that has exactly the result that is given."""
         if not question.unknown:
             return study
         return Study.of(study.scene.having(question.unknown, question.answer), study.trace.state.times)
@@ -127,7 +127,7 @@ class Reverse(QuestionMode):
         return question.answer * float(np.exp(-np.log(ratio) / question.elasticity))
 
     def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
-        """Every query that the sentence could state as a condition, with every number in it as its answer."""
+        """Return every query that the sentence could state as a condition, with every number in it as its answer."""
         readings = dict.fromkeys((text, plainly(text, words.units)))  # digits tell how close a result is
         return next((found for said in readings if (found := self._read(said, study, words)) is not None), None)
 
@@ -196,7 +196,7 @@ def unfixed(question: Question, study: Study, words: Words) -> str:
 
 
 def _besides(query: Query, words: Words) -> list[Unknown]:
-    """The numbers that a text may leave unknown, or does, but for the one whose limit a query is about.
+    """Return the numbers that a text may leave unknown, or does, but for the one whose limit a query is about.
 
     Nor is any of the same symbol.
     """
@@ -223,7 +223,7 @@ def _fixed(dependence: Dependence, drawn: float, result: float, unit: str) -> tu
 
 
 def _stated(heard: str, study: Study, words: Words) -> Iterator[tuple[Query, str]]:
-    """All queries that a sentence could state, with the units of their answers."""
+    """Yield all queries that a sentence could state, with the units of their answers."""
     named = {target: noun for target, noun in targets(words).items() if noun.heard(heard)}
     for kind in KINDS.values():
         for query in dict.fromkeys(kind.parsed(heard, study, words, named)):
@@ -231,7 +231,7 @@ def _stated(heard: str, study: Study, words: Words) -> Iterator[tuple[Query, str
 
 
 def _asking_when(study: Study, words: Words, rng: np.random.Generator, suits: Suits) -> Question | None:
-    """When a quantity has a value for the first time."""
+    """Return when a quantity has a value for the first time."""
     drawn = KINDS["state"].draw(study, words, targets(words), rng)
     time = study.time(drawn.moment) if drawn is not None and drawn.moment is not None else None
     if drawn is None or drawn.target is None or time is None:

@@ -56,13 +56,13 @@ class Symbolic(QuestionMode):
         return frozenset(name for name in frozenset[str]().union(*derived) if KINDS[name].of_symbols)
 
     def offers(self, mechanism: Mechanism) -> bool:
-        """Whether some strategy of worked solutions may lead to a formula."""
+        """Return whether some strategy of worked solutions may lead to a formula."""
         return not self.kinds.isdisjoint(_formulas(mechanism))
 
     def ask(
         self, study: Study, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything
     ) -> Question | None:
-        """Whatever some strategy of worked solutions leads to by formulas, still in numbers.
+        """Return whatever some strategy of worked solutions leads to by formulas, still in numbers.
 
         None about a mechanism that is not its scene's, whose numbers no symbols stand for.
         """
@@ -108,12 +108,12 @@ class Symbolic(QuestionMode):
         return replace(question, query=query, text=text, formula=varied.formula(found, symbols), assumed=assumed)
 
     def described(self, question: Question, description: Description) -> Description:
-        """Every number but zero as a symbol, each with its name."""
+        """Return every number but zero as a symbol, each with its name."""
         del question
         return with_names(description.voiced(symbolic_but_zero))
 
     def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
-        """A query in the words of its kind, before what is assumed."""
+        """Return a query in the words of its kind, before what is assumed."""
         if not words.symbolic:
             return None
         assumed, asked = parted(text)
@@ -134,12 +134,12 @@ class Symbolic(QuestionMode):
 
 
 def _formulas(mechanism: Mechanism) -> frozenset[str]:
-    """The kinds of question about a mechanism to which strategies of worked solutions may lead by formulas."""
+    """Return the kinds of question about a mechanism to which strategies of worked solutions may lead by formulas."""
     return frozenset[str]().union(*(strategy.formulas(mechanism) for strategy in fitting(mechanism)))
 
 
 def _derived(query: Query, study: Study, words: Words) -> Expression | None:
-    """The formulas of a worked solution put into each other; None if there is none in symbols."""
+    """Return the formulas of a worked solution put into each other; None if there is none in symbols."""
     return study.once(("formula", query), lambda: _worked_out(query, study, words))
 
 
@@ -171,7 +171,7 @@ def _spoken(words: Words, query: Query) -> Words | None:
 
 
 def _symbols(study: Study, words: Words, hidden: str) -> list[ProblemSymbol]:
-    """All symbols of a problem in the order in which it tells them, but that of the number which it asks for."""
+    """Return all symbols of a problem in the order in which it tells them, but that of the number which it asks for."""
     parameters = {p.path: p for p in study.scene.parameters if p.path != hidden}
     found = [(symbol, parameters[path]) for path, symbol in words.symbols.items() if path in parameters]
     said = [ProblemSymbol(symbol, p.measure.unit, p.value, p.path, p.signed) for symbol, p in found if p.value]

@@ -19,7 +19,7 @@ MOST = 2  # numbers that a text leaves unknown: one that it asks for, and one wh
 
 
 def assembled(state: ParseState, rng: np.random.Generator, share: float = 0.5) -> Scene:
-    """The scene of a reading; a number for which a symbol stands lies at a `share` of the way through its range.
+    """Return the scene of a reading; a number for which a symbol stands lies at a `share` of the way through its range.
 
     Raises:
         TextError: something is not told.
@@ -33,7 +33,7 @@ def assembled(state: ParseState, rng: np.random.Generator, share: float = 0.5) -
 
 
 def untold(symbols: Iterable[str]) -> TextError:
-    """That a text leaves more numbers unknown than its question asks for."""
+    """Return that a text leaves more numbers unknown than its question asks for."""
     return TextError("text", f"it does not tell {' and '.join(symbols)}", "leave one number unknown")
 
 
@@ -106,7 +106,7 @@ def _several(state: ParseState, address: str, held: FieldType, rng: np.random.Ge
 
 
 def _is_silent(state: ParseState, address: str) -> bool:
-    """Whether nothing was told of an optional body or part."""
+    """Return whether nothing was told of an optional body or part."""
     kind = state.kinds.get(address)
     if kind is None:
         return not any(path.startswith(f"{address}.") for path in state.values)

@@ -34,7 +34,7 @@ STAGES = (0.0, 0.37, -0.23)  # at which changing mechanisms are compared: m, rad
 
 
 def signature(scene: Scene, names: Mapping[str, str]) -> Signature:
-    """What two scenes have in common if they mean the same; `names` is what bodies are called, by address."""
+    """Return what two scenes have in common if they mean the same; `names` is what bodies are called, by address."""
     mechanism = scene.mechanism
     bending = bool(changing(mechanism))
     stages = STAGES if bending else STAGES[:1]
@@ -43,7 +43,7 @@ def signature(scene: Scene, names: Mapping[str, str]) -> Signature:
 
 
 def _compared(rows: "_Rows") -> tuple[object, ...]:
-    """All rows at one stage, and what has no row."""
+    """Return all rows at one stage, and what has no row."""
     mechanism = rows.mechanism
     for body in mechanism.bodies:
         rows.body(body)
@@ -73,7 +73,7 @@ class _Rows:
         return Frames(self.mechanism, [self._stage] * self._n, speeds, math)
 
     def _curvature(self) -> dict[str, Array]:
-        """How far the path of each body is from straight, by its name: 1/m times the root of a mass.
+        """Return how far the path of each body is from straight, by its name: 1/m times the root of a mass.
 
         It is the mean curvature of the surface on which all bodies can be, in the metric of their masses: the part of
         the accelerations at q̈ = 0 that no q̈ makes up for, summed over rates that are orthonormal there.
@@ -101,7 +101,7 @@ class _Rows:
         self._rows.append(row)
 
     def _spread(self, point: Point) -> Array:
-        """The gradient of a point's three coordinates, (3, width)."""
+        """Return the gradient of a point's three coordinates, (3, width)."""
         found = np.zeros((3, self._width))
         for number, axis in point.gradient.items():
             found[:, number] += axis
@@ -155,7 +155,7 @@ class _Rows:
         return "hit", self._called(one), self._called(other), repr(numbers)
 
     def push(self, force: Force) -> Label:
-        """A force that is given: what it is here, now and at other velocities, and how far its borders are."""
+        """Return a force that is given: what it is here, now and at other velocities, and how far its borders are."""
         point = self._frames.center(force.body)
         velocities = (point.velocity, X, Y, Z)
         found = [force.law.force(point.place, velocity, self._stage, math) for velocity in velocities]
@@ -163,7 +163,7 @@ class _Rows:
         return "force", self._called(force.body), *map(_rounded, (*chain.from_iterable(found), *borders))
 
     def pairs(self) -> list[Label]:
-        """The bodies that attract each other, and how far apart they are."""
+        """Return the bodies that attract each other, and how far apart they are."""
         found: list[Label] = []
         for pair in self.mechanism.attractions:
             distance = dist(self._frames.center(pair.a).place, self._frames.center(pair.b).place)
@@ -206,7 +206,7 @@ class _Rows:
         self._add(label, row)
 
     def refined(self) -> tuple[object, ...]:
-        """The labels, each refined by its products with all others; in an order of their own."""
+        """Return the labels, each refined by its products with all others; in an order of their own."""
         if not self._rows:
             return ()
         rows = np.array(self._rows)
@@ -221,7 +221,7 @@ class _Rows:
         return tuple(sorted(map(repr, labels)))
 
     def _kinetic(self) -> Array:
-        """The mass matrix, a unit mass being added to every body."""
+        """Return the mass matrix, a unit mass being added to every body."""
         total = np.zeros((self._width, self._width))
         for body in self.mechanism.bodies:
             spread = self._spread(self._frames.center(body.name))
@@ -232,7 +232,7 @@ class _Rows:
 
 
 def _root(inertia: Tensor) -> Array:
-    """The symmetric root of a tensor of inertia, (3, 3)."""
+    """Return the symmetric root of a tensor of inertia, (3, 3)."""
     values, axes = np.linalg.eigh(_matrix(inertia))
     return axes * np.sqrt(np.maximum(values, 0.0)) @ axes.T
 
@@ -250,5 +250,5 @@ def _rounded(value: float) -> float:
 
 
 def _ends(body: RigidBody) -> list[float]:
-    """Where its travel ends, as at the ground, counted from the start."""
+    """Return where its travel ends, as at the ground, counted from the start."""
     return sorted(_rounded(end) for c in body.coordinates for end in (c.lower, c.upper) if math.isfinite(end))

@@ -48,14 +48,14 @@ def _said(kind: type[Part]) -> _Said:
 
 
 def entity_lines(matcher: Matcher, address: str, place: int, state: ParseState) -> Iterator[tuple[int, ParseState]]:
-    """All lines of an entity whose class is known: its parts', its own, its inner strings'."""
+    """Yield all lines of an entity whose class is known: its parts', its own, its inner strings'."""
     inner = [partial(_inside, matcher, address, name) for name in inside(state.kind(address, Part))]
     steps: list[Step] = [partial(part_lines, matcher, address), *inner]
     yield from _in_turn(steps, place, state)
 
 
 def part_lines(matcher: Matcher, address: str, place: int, state: ParseState) -> Iterator[tuple[int, ParseState]]:
-    """The lines of the parts inside a part, then its own."""
+    """Yield the lines of the parts inside a part, then its own."""
     kind = state.kind(address, Part)
     placed = {saying.field for saying in kind.says if isinstance(saying, PartLines)}
     first = [PartLines(name) for name in field_types(kind) if name not in placed]
@@ -74,7 +74,7 @@ def _in_turn(steps: list[Step], place: int, state: ParseState) -> Iterator[tuple
 def _parts(
     matcher: Matcher, field: str, address: str, place: int, state: ParseState
 ) -> Iterator[tuple[int, ParseState]]:
-    """The lines of the parts at a field; those of a row that have none are told by their entity."""
+    """Yield the lines of the parts at a field; those of a row that have none are told by their entity."""
     held, where = field_types(state.kind(address, Part))[field], f"{address}.{field}"
     parts = [model for model in held.models if issubclass(model, Part)]
     if parts and held.count is None:
@@ -88,7 +88,7 @@ def _parts(
 def _inner(
     matcher: Matcher, address: str, held: FieldType, place: int, state: ParseState
 ) -> Iterator[tuple[int, ParseState]]:
-    """A part of any of its classes; an optional one may be absent."""
+    """Yield a part of any of its classes; an optional one may be absent."""
     for kind in held.models:
         yield from part_lines(matcher, address, place, state.with_kind(address, kind))
     absent = state.with_value(address, None) if held.optional else None
@@ -113,7 +113,7 @@ def _several(
 def _inside(
     matcher: Matcher, address: str, name: str, place: int, state: ParseState
 ) -> Iterator[tuple[int, ParseState]]:
-    """The sentence of a connection inside an entity."""
+    """Yield the sentence of a connection inside an entity."""
     inner = inside(state.kind(address, Part))[name]
     routes = InnerRoute(address, inner)
     for told in inner.kind.parse(f"{address}.{name}", place, state, matcher, routes):
@@ -168,7 +168,7 @@ def _at_least(template: str, address: str, state: ParseState) -> ParseState:
 def _each(
     matcher: Matcher, saying: Each, address: str, place: int, state: ParseState
 ) -> Iterator[tuple[int, ParseState]]:
-    """A sentence for each member; like bodies from three on are a table; nothing where there is none."""
+    """Yield a sentence for each member; like bodies from three on are a table; nothing where there is none."""
     field = f"{address}.{saying.field}"
     none = state.with_count(field, 0, 0)
     if none is not None:
@@ -185,7 +185,7 @@ def _each(
 def _members(
     matcher: Matcher, template: str, field: str, place: int, state: ParseState, index: int
 ) -> Iterator[tuple[int, ParseState]]:
-    """The sentences of the members from `index` on, all in one wording."""
+    """Yield the sentences of the members from `index` on, all in one wording."""
     address = field.rpartition(".")[0]
     if index == MANY:
         return
@@ -197,7 +197,7 @@ def _members(
 
 
 def _unsaid(template: str, address: str, state: ParseState) -> Iterator[ParseState]:
-    """What may be so if a line stays unsaid: something absent that it needs, or a number that a word tells."""
+    """Yield what may be so if a line stays unsaid: something absent that it needs, or a number that a word tells."""
     kind = state.kind(address, Part)
     for path in dict.fromkeys(slot.path for slot in slots(template) if slot.kind == "path" and "*" not in slot.path):
         path = kind.words[path].parameter if path in kind.words else path  # noqa: PLW2901 - what the word depends on
@@ -213,7 +213,7 @@ def _unsaid(template: str, address: str, state: ParseState) -> Iterator[ParseSta
 
 
 def _by_word(state: ParseState, address: str) -> bool:
-    """Whether the introduction of a body has told a number by a word, or still may."""
+    """Return whether the introduction of a body has told a number by a word, or still may."""
     owner, _, name = address.rpartition(".")
     for model in thing_at(state, owner).models:
         if issubclass(model, Body):

@@ -32,7 +32,7 @@ Found = tuple[int, ParseState]
 
 @cache
 def _fixed(template: str) -> tuple[str, ...]:
-    """Its words between slots, without their first letters: a sentence begins with a capital."""
+    """Return its words between slots, without their first letters: a sentence begins with a capital."""
     return tuple(slot.text[1:] for slot in slots(template) if slot.kind == "text")
 
 
@@ -48,7 +48,7 @@ class Matcher:
         self._fitting: dict[tuple[int, str], bool] = {}
 
     def sentence(self, place: int, template: str, owner: str, state: ParseState) -> Iterator[ParseState]:
-        """What a whole sentence tells, read as a template of the part at `owner`."""
+        """Yield what a whole sentence tells, read as a template of the part at `owner`."""
         if self.may_be(place, template):
             text = self.pieces[place]
             for end, then in self.template(text, 0, template, owner, state):
@@ -57,14 +57,14 @@ class Matcher:
                     yield then
 
     def may_be(self, place: int, template: str) -> bool:
-        """Whether all fixed words of a template stand somewhere in a sentence: quickly, since most do not."""
+        """Return whether all fixed words of a template stand somewhere in a sentence: quickly, since most do not."""
         if (place, template) not in self._fitting:
             fits = place < len(self.pieces) and all(words in self.pieces[place] for words in _fixed(template))
             self._fitting[place, template] = fits
         return self._fitting[place, template]
 
     def literal(self, text: str, at: int, wanted: str) -> int | None:
-        """Where `wanted` ends if it stands at `at`; a sentence begins with a capital."""
+        """Return where `wanted` ends if it stands at `at`; a sentence begins with a capital."""
         self._steps += 1
         if self._steps > MAX_STEPS:
             raise TextError("text", "it can be read in too many ways", "give the text of one scene")
@@ -144,7 +144,7 @@ class Matcher:
                 yield from self._just(text, at, state.mention(address, full=start), then)
 
     def at(self, text: str, at: int, address: str, state: ParseState, *, start: bool = False) -> Iterator[Found]:
-        """All ways in which what stands at an address can be told: a number, a word, a body or a list of them."""
+        """Yield all ways in which what stands at an address can be told: a number, a word, a body or a list of them."""
         thing = thing_at(state, address)
         if thing.measure is not None:
             yield from self.number(text, at, address, thing.measure, state)
@@ -161,7 +161,7 @@ class Matcher:
             yield from self._mention(text, at, address, thing, state, start=start)
 
     def number(self, text: str, at: int, address: str, measure: Measure, state: ParseState) -> Iterator[Found]:
-        """A number with its unit, or a symbol for one; hearing another at the same address is a contradiction."""
+        """Yield a number with its unit, or a symbol for one; hearing another at the same address is a contradiction."""
         symbol = SYMBOL.match(text, at) if text.startswith("$", at) else None
         if symbol and symbol[1] not in self.given:
             unknown = state.with_value(address, symbol.group())
@@ -183,7 +183,7 @@ class Matcher:
     def _word(
         self, text: str, at: int, word: Word, owner: str, state: ParseState, *, start: bool = False
     ) -> Iterator[Found]:
-        """A special word tells its number; the other one only leaves it open."""
+        """Yield a special word tells its number; the other one only leaves it open."""
         address = joined(owner, word.parameter)
         known, choices = state.values.get(address), thing_at(state, address).choices
         if (known is None or known not in word.special) and not (choices and all(c in word.special for c in choices)):
@@ -212,7 +212,7 @@ class Matcher:
                     yield from self._introduction(text, at, address, kind, state)
 
     def _introduction(self, text: str, at: int, address: str, kind: type[Body], state: ParseState) -> Iterator[Found]:
-        """The first mention of a body: with the next letter of its series, or as the only one."""
+        """Yield the first mention of a body: with the next letter of its series, or as the only one."""
         letters = state.next_letters(kind)
         for noun in _nouns(kind, state):
             again = state.knows_noun(noun)
@@ -245,7 +245,7 @@ class Matcher:
     def _list(
         self, text: str, at: int, address: str, thing: Thing, state: ParseState, *, start: bool
     ) -> Iterator[Found]:
-        """One member as it is, several with the plural noun; known ones by their letters alone."""
+        """Yield one member as it is, several with the plural noun; known ones by their letters alone."""
         low, high = state.size_range(address)
         one = state.with_count(address, 1, 1)
         if one is not None:
@@ -263,7 +263,7 @@ class Matcher:
                         yield from self._alike(text, at, address, kind, state.with_noun(kind, noun))
 
     def _alike(self, text: str, at: int, address: str, kind: type[Body], state: ParseState) -> Iterator[Found]:
-        """The members of a new list whose numbers agree: A and B (… each)."""
+        """Yield the members of a new list whose numbers agree: A and B (… each)."""
         low, high = state.size_range(address)
         for count in range(max(low, 2), high + 1):
             members, letters = [f"{address}.{index}" for index in range(count)], state.next_letters(kind, count)
@@ -285,7 +285,7 @@ class Matcher:
     def _items(
         self, text: str, at: int, address: str, kind: type[Body], state: ParseState, index: int, *, last: bool = False
     ) -> Iterator[Found]:
-        """The members of a new list from `index` on: A (…), B (…) and C (…)."""
+        """Yield the members of a new list from `index` on: A (…), B (…) and C (…)."""
         letters = state.next_letters(kind)
         if letters is None or index >= MANY:
             return

@@ -83,7 +83,7 @@ class ParseState(NamedTuple):
         return self if (low, high) == (least, most) else self._replace(counts={**self.counts, address: (low, high)})
 
     def size_range(self, address: str) -> tuple[int, int]:
-        """The least and greatest number of members that a part can have."""
+        """Return the least and greatest number of members that a part can have."""
         return self.counts.get(address, (0, MANY))
 
     def with_noun(self, kind: type[Body], noun: str) -> "ParseState":
@@ -95,40 +95,40 @@ class ParseState(NamedTuple):
         return self._replace(kinds={**self.kinds, address: kind}, letters={**self.letters, address: letter})
 
     def kind(self, address: str, base: type[M]) -> type[M]:
-        """The class of what stands at an address; TypeError if it is no `base`."""
+        """Return the class of what stands at an address; TypeError if it is no `base`."""
         found = self.kinds[address]
         if not issubclass(found, base):
             raise TypeError(f"{address} is a {found.__name__}")
         return found
 
     def body(self, address: str) -> type[Body]:
-        """The class of an introduced body."""
+        """Return the class of an introduced body."""
         return self.kind(address, Body)
 
     def series(self, kind: type[Body]) -> list[str]:
-        """The letters of all introduced bodies of the same series."""
+        """Return the letters of all introduced bodies of the same series."""
         if not kind.letters:
             return []
         return [letter for address, letter in self.letters.items() if self.body(address).letters == kind.letters]
 
     def next_letters(self, kind: type[Body], count: int = 1) -> list[str] | None:
-        """The letters that the next bodies of a series must have; None if its first one has none."""
+        """Return the letters that the next bodies of a series must have; None if its first one has none."""
         given = self.series(kind)
         if not kind.letters or "" in given:
             return None
         return [letter_at(kind.letters, len(given) + index) for index in range(count)]
 
     def knows_noun(self, noun: str) -> bool:
-        """Whether a body of that noun was introduced."""
+        """Return whether a body of that noun was introduced."""
         return any(self.nouns[self.body(address)] == noun for address in self.letters)
 
     def mention(self, address: str, *, full: bool) -> str:
-        """How an introduced body is spoken of."""
+        """Return how an introduced body is spoken of."""
         return called(self.nouns[self.body(address)], self.letters[address], full=full)
 
     @property
     def names(self) -> Names:
-        """What the text calls all bodies."""
+        """Return what the text calls all bodies."""
         return Names({address: letter for address, letter in self.letters.items() if letter}, self.nouns)
 
     def renamed(self, old: tuple[str, ...], new: tuple[str, ...]) -> "ParseState":
@@ -160,7 +160,7 @@ class Thing:
 
 
 def thing_at(state: ParseState, address: str) -> Thing:
-    """What the declarations say about an address; KeyError for one that leads nowhere."""
+    """Return what the declarations say about an address; KeyError for one that leads nowhere."""
     if address in state.kinds:
         return Thing(models=(state.kinds[address],))
     owner, _, step = address.rpartition(".")
@@ -177,12 +177,12 @@ def thing_at(state: ParseState, address: str) -> Thing:
 
 
 def joined(owner: str, path: str) -> str:
-    """The address of a path below an owner."""
+    """Return the address of a path below an owner."""
     return f"{owner}.{path}" if owner else path
 
 
 def part_word(state: ParseState, owner: str, path: str) -> Word | None:
-    """A word of the part or the connection at an address."""
+    """Return a word of the part or the connection at an address."""
     kind = state.kinds.get(owner)
     return kind.words.get(path) if kind is not None and issubclass(kind, Part | Connection) else None
 
@@ -212,7 +212,7 @@ SYMBOL = re.compile(r"\$([^$\n]{1,40})\$")
 
 
 def meanings(digits: str, unit: str) -> list[tuple[str, float]]:
-    """The units that may stand behind a number, each with the number's value in `unit`.
+    """Return the units that may stand behind a number, each with the number's value in `unit`.
 
     What is declared in km/s may be told in m/s, too.
     """

@@ -60,7 +60,7 @@ class ScriptedWriter(Writer):
         self._script, self._state = iter(state.script), state
 
     def choose(self, options: tuple[str, ...]) -> str:
-        """The wording that the script demands."""
+        """Return the wording that the script demands."""
         return options[min(next(self._script, 0), len(options) - 1)]
 
     def pass_over(self, options: tuple[str, ...]) -> None:
@@ -93,7 +93,7 @@ def _voice(given: Mapping[str, str], unknown: Collection[str]) -> Voice:
 
 
 def unsaid(scene: Scene, state: ParseState) -> list[str]:
-    """What matters in the scene, whatever is asked, and of which a reading says nothing."""
+    """Return what matters in the scene, whatever is asked, and of which a reading says nothing."""
     lacking = [closing for closing in closings(scene) if closing.name not in state.closings]
     return [closing.name for closing in lacking if not closing.topic and not _of_untold_start(closing, state)]
 
@@ -112,7 +112,7 @@ def _without_prefix(measured: re.Match[str]) -> str:
 
 
 def _of_untold_start(closing: Closing, state: ParseState) -> bool:
-    """Whether it is on a start that the text leaves out."""
+    """Return whether it is on a start that the text leaves out."""
     return closing.role == "start" and "start" in state.without
 
 

@@ -192,14 +192,14 @@ def _readings(
 
 
 def _read(scene: Scene, state: ParseState) -> tuple[Signature, ParsedScene]:
-    """A proven reading, and what it has in common with those that mean the same."""
+    """Return a proven reading, and what it has in common with those that mean the same."""
     names = {address: state.mention(address, full=True) for address in state.letters}
     unknown = {path: symbol.strip("$") for path, symbol in state.unknowns.items()}
     return signature(scene, names), ParsedScene(scene, names, unknown, state.without)
 
 
 def _sent_on(text: str, error: TextError) -> TextError:
-    """The same, with what reads prompts where the text is one."""
+    """Return the same, with what reads prompts where the text is one."""
     return TextError(error.place, error.problem, IS_PROMPT) if ASKS in text else error
 
 
@@ -229,7 +229,7 @@ def _with_missing(error: TextError, translations: list[LibraryText]) -> TextErro
 
 
 def _described(scene: Scene) -> str:
-    """The entities of a scene and how they are joined, in one line."""
+    """Return the entities of a scene and how they are joined, in one line."""
     kinds = ", ".join(f"{named.name} a {type(named.entity).__name__}" for named in scene.entities)
     joined = ", ".join("-".join(map(str, connection.links)) for connection in scene.connections)
     return f"{kinds}{' joined by ' if joined else ''}{joined}"
@@ -243,13 +243,13 @@ class _Grammar:
         self._silent = [kind for kind in ENTITIES.values() if any(self._unheard(ParseState({}), "e", kind))]
 
     def _unheard(self, state: ParseState, address: str, kind: type[Entity]) -> Iterator[ParseState]:
-        """An entity of which no line is said: its bodies are met on a string."""
+        """Yield an entity of which no line is said: its bodies are met on a string."""
         here = state.with_kind(address, kind)._replace(entities=(*state.entities, address))
         for _, then in entity_lines(self._matcher, address, len(self._matcher.pieces), here):
             yield then
 
     def scenes(self, place: int, state: ParseState) -> Iterator[ParseState]:
-        """All readings of the pieces from `place` on."""
+        """Yield all readings of the pieces from `place` on."""
         yield from self._entities(place, state)
         yield from self._strings(place, state)
         yield from self._closings(place, 0, state)
@@ -274,7 +274,7 @@ class _Grammar:
                     yield from self.scenes(place + 1, then)
 
     def _closings(self, place: int, number: int, state: ParseState) -> Iterator[ParseState]:
-        """The closings from a number on, each of which may be needed or not."""
+        """Yield the closings from a number on, each of which may be needed or not."""
         if place == len(self._matcher.pieces):
             yield state
             return
@@ -299,7 +299,7 @@ class _Grammar:
 
 
 def _joined_on(name: str, kind: type[Connection], told: ParsedSentence[ParseState]) -> ParseState | None:
-    """What was read, with a connection; None if lines that wait for it came in another order than it goes.
+    """Return what was read, with a connection; None if lines that wait for it came in another order than it goes.
 
     The Writer tells the lines of entities in the order of the links, but a string from the end that makes
     the better sentence; so if the lines came the other way round, the links are the other way round.
@@ -317,6 +317,6 @@ def _joined_on(name: str, kind: type[Connection], told: ParsedSentence[ParseStat
 
 
 def _turned(state: ParseState, link: Link) -> Link:
-    """A link as it is passed from the other side."""
+    """Return a link as it is passed from the other side."""
     passed = isinstance(outer_ports(state.kind(link.entity, Entity))[link.port], Pass)
     return Link(entity=link.entity, port=link.port, flipped=link.flipped != passed)

@@ -17,7 +17,7 @@ class InnerRoute:
     inner: Inside
 
     def legs(self, kind: type[Connection], state: ParseState, links: tuple[Link, ...]) -> Iterator[Leg[ParseState]]:
-        """The whole connection, from either end."""
+        """Yield the whole connection, from either end."""
         del kind
         if links:
             return
@@ -27,7 +27,7 @@ class InnerRoute:
 
 
 def port_stops(state: ParseState, name: str, address: str) -> list[Stop]:
-    """A port of an entity that was read as the stops that a string makes there, from the inside out."""
+    """Return a port of an entity that was read as the stops that a string makes there, from the inside out."""
     head, _, rest = name.partition(".")
     if rest:
         inner = f"{address}.{head}"
@@ -39,7 +39,7 @@ def port_stops(state: ParseState, name: str, address: str) -> list[Stop]:
 
 
 def must_end_at(state: ParseState, address: str) -> bool:
-    """Whether an entity needs a connection, and has no port where that could go on to others."""
+    """Return whether an entity needs a connection, and has no port where that could go on to others."""
     ports = outer_ports(state.kind(address, Part))
     if not any(port.required for port in ports.values()):
         return False
@@ -51,7 +51,7 @@ def _goes_on(stops: list[Stop]) -> bool:
 
 
 def free_legs(kind: type[Connection], state: ParseState, address: str, *, first: bool) -> Iterator[Leg[ParseState]]:
-    """The ports of an entity that nothing has taken, as a connection's beginning or as its next leg."""
+    """Yield the ports of an entity that nothing has taken, as a connection's beginning or as its next leg."""
     taken = {(link.entity, link.port) for joined in state.joined for link in joined.links}
     for name in outer_ports(state.kind(address, Part)):
         stops = port_stops(state, name, address)

@@ -46,7 +46,7 @@ def parse_table(
 
 
 def _grid(piece: str) -> _Grid | None:
-    """A table taken apart; None if its rows do not fit together."""
+    """Return a table taken apart; None if its rows do not fit together."""
     rows = [[cell.strip() for cell in row.strip("|").split("|")] for row in piece.split("\n")]
     head = rows[0]
     if len(rows) < 3 or rows[1] != ["---"] * len(head) or any(len(row) != len(head) for row in rows):
@@ -57,7 +57,7 @@ def _grid(piece: str) -> _Grid | None:
 
 
 def _listed(state: ParseState, kind: type[Body], members: list[str], grid: _Grid) -> ParseState | None:
-    """The bodies of the rows, if they have the letters that come next."""
+    """Return the bodies of the rows, if they have the letters that come next."""
     if list(grid.letters) != state.next_letters(kind, len(members)):
         return None
     for address, letter in zip(members, grid.letters, strict=True):
@@ -68,7 +68,7 @@ def _listed(state: ParseState, kind: type[Body], members: list[str], grid: _Grid
 def _filled(
     matcher: Matcher, state: ParseState, kind: type[Body], members: list[str], grid: _Grid
 ) -> ParseState | None:
-    """The numbers of all cells."""
+    """Return the numbers of all cells."""
     columns = {heading: name for name, heading in headings(kind).items()}
     found: ParseState | None = state
     for address, row in zip(members, grid.cells, strict=True):
@@ -92,7 +92,7 @@ def _told(matcher: Matcher, cell: str, measure: Measure | None) -> float | str |
 
 
 def _agreed(matcher: Matcher, piece: str, kind: type[Body], members: list[str], state: ParseState) -> ParseState | None:
-    """What a sentence on a number that all rows share tells."""
+    """Return what a sentence on a number that all rows share tells."""
     for name in headings(kind):
         start, measure = matcher.literal(piece, 0, shared_start(kind, name)), field_types(kind)[name].measure
         if start is None or measure is None:

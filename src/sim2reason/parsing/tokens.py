@@ -39,5 +39,5 @@ def _sentences(lines: list[str]) -> list[str]:
 
 
 def shown(piece: str) -> str:
-    """A piece as messages quote it."""
+    """Return a piece as messages quote it."""
     return repr(piece if len(piece) <= 120 else f"{piece[:117]}...")

@@ -109,12 +109,12 @@ class Policy(_Settings, ABC):
 
     @property
     def in_flight(self) -> int:
-        """How many calls of `complete` may run at once."""
+        """Return how many calls of `complete` may run at once."""
         return 1
 
     @property
     def batch(self) -> int:
-        """How many requests one call of `complete` takes."""
+        """Return how many requests one call of `complete` takes."""
         return 1
 
     def check(self) -> None:
@@ -127,7 +127,7 @@ class Policy(_Settings, ABC):
 
     @abstractmethod
     def complete(self, requests: Sequence[SampleRequest]) -> Sequence[Completion]:
-        """A completion for each request, in their order.
+        """Return a completion for each request, in their order.
 
         Raises:
             NoAnswerError: these requests got no answer; others may.
@@ -136,12 +136,12 @@ class Policy(_Settings, ABC):
 
     @property
     def settings(self) -> dict[str, object]:
-        """What is worth writing down; never a key."""
+        """Return what is worth writing down; never a key."""
         return self.model_dump(mode="json")
 
     @property
     def decisive(self) -> dict[str, object]:
-        """What decides the answers."""
+        """Return what decides the answers."""
         return {name: value for name, value in self.settings.items() if name not in self.operational}
 
 
@@ -149,7 +149,7 @@ POLICIES: Registry[type[Policy]] = Registry("policies")
 
 
 def policy_from(settings: Mapping[str, object], place: str = "policy") -> Policy:
-    """The policy that settings describe; its `kind` is a registered name.
+    """Return the policy that settings describe; its `kind` is a registered name.
 
     Raises:
         PolicyError: a setting that is unknown, missing or makes no sense.

@@ -14,5 +14,5 @@ class Constant(Policy):
     text: str
 
     def complete(self, requests: Sequence[SampleRequest]) -> Sequence[Completion]:
-        """The text; it costs no tokens."""
+        """Return the text; it costs no tokens."""
         return [Completion(text=self.text, finish="stop", prompt_tokens=0, completion_tokens=0) for _ in requests]

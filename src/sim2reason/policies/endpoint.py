@@ -113,7 +113,7 @@ class Endpoint(Policy):
         _ = self._key
 
     def complete(self, requests: Sequence[SampleRequest]) -> Sequence[Completion]:
-        """One after the other; each is asked for again, ever later, while the endpoint gives no answer."""
+        """Return one after the other; each is asked for again, ever later, while the endpoint gives no answer."""
         return [self._complete(request) for request in requests]
 
     def _complete(self, request: SampleRequest) -> Completion:

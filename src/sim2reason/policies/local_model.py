@@ -114,7 +114,7 @@ class LocalModel(Policy):
         return explained(self.model, lambda why: PolicyError(f"policy {self.name!r}: {why}"))
 
     def _device(self, torch: Any) -> str:  # noqa: ANN401 - a module of an extra
-        """Where the model is put; PolicyError, which lists what there is, if there is no such device."""
+        """Return where the model is put; PolicyError, which lists what there is, if there is no such device."""
         kind = str(torch.accelerator.current_accelerator().type) if torch.accelerator.is_available() else ""
         count = torch.accelerator.device_count() if kind else 0
         there = ["cpu", *([kind] if kind else []), *(f"{kind}:{number}" for number in range(count))]
@@ -156,7 +156,7 @@ class LocalModel(Policy):
         return rows[:, ids.shape[1] :]
 
     def _decoded(self, decoder: Decoder, ids: Any, mask: Any, processors: list[Any]) -> Any:  # noqa: ANN401 - tensors
-        """The same with a cache of fixed size."""
+        """Return the same with a cache of fixed size."""
 
         def choose(logits: Any) -> Any:  # noqa: ANN401 - tensors
             for processor in processors:
@@ -166,7 +166,7 @@ class LocalModel(Policy):
         return decoder(ids, mask, self.sampling.max_tokens, choose, self._ends())
 
     def _spoken(self, prompt: str) -> str:
-        """What the model reads."""
+        """Return what the model reads."""
         tokenizer = self._loaded.tokenizer
         if not (self.chat and tokenizer.chat_template):
             return f"{self.system}\n\n{prompt}" if self.system else prompt
@@ -199,13 +199,13 @@ class LocalModel(Policy):
         return [*found, noise]
 
     def _ends(self) -> set[int]:
-        """The tokens that end a text."""
+        """Return the tokens that end a text."""
         held = self._loaded.model.generation_config.eos_token_id
         own = self._loaded.tokenizer.eos_token_id
         return {*(held if isinstance(held, list) else [held]), own} - {None}
 
     def _completion(self, tokens: list[int], prompt_tokens: int, ends: set[int]) -> Completion:
-        """A row up to the token that ends it."""
+        """Return a row up to the token that ends it."""
         end = next((place for place, token in enumerate(tokens) if token in ends), None)
         finish: Finish = "length" if end is None else "stop"
         held = tokens if end is None else tokens[:end]

@@ -55,7 +55,7 @@ def _slackens(scene: Scene) -> bool:
 
 
 def is_lone(scene: Scene) -> bool:
-    """Whether nothing but one body moves."""
+    """Return whether nothing but one body moves."""
     return sum(bool(body.coordinates) for body in scene.mechanism.bodies) == 1
 
 
@@ -65,7 +65,7 @@ def _has_massive_pulley(scene: Scene) -> bool:
 
 
 def _turns(scene: Scene) -> int:
-    """How many pulleys there are to speak of; small ones at corners count, too, each once for both its sides."""
+    """Return how many pulleys there are to speak of; small ones at corners count, too, each once for both its sides."""
     mechanism = scene.mechanism
     corners = {site for line in mechanism.lines for site in line.through[1:-1]}
     wheels = {f"{address}." for address, body in scene.bodies.items() if body.nouns[0] == "pulley"}
@@ -115,7 +115,7 @@ STRETCHED = (
 
 
 def _release(strings: int, *, lone: bool) -> Closing:
-    """A start from rest of one body or several, on so many strings."""
+    """Return a start from rest of one body or several, on so many strings."""
     wordings = LONE_RELEASES if lone else RELEASES
     return Closing(
         f"rest{' of one body' * lone}{TAUT[strings]}",
@@ -177,7 +177,7 @@ _EITHER = (False, True)
 
 
 def _pulleys(several: bool, massive: bool, edges: bool) -> Closing:  # noqa: FBT001 - the three ways in which they differ
-    """How pulleys turn, and that there is room: one sentence, and only where there are pulleys."""
+    """Return how pulleys turn, and that there is room: one sentence, and only where there are pulleys."""
 
     def needed(scene: Scene) -> bool:
         count = _turns(scene)
@@ -259,12 +259,12 @@ RESTS: dict[str, str] = {
 
 
 def closings(scene: Scene) -> list[Closing]:
-    """The closings that a scene needs, in the order in which they are said."""
+    """Return the closings that a scene needs, in the order in which they are said."""
     return [closing for closing in CLOSINGS if closing.needed(scene)]
 
 
 def is_assumption(sentence: str) -> bool:
-    """Whether a sentence is one of the closings on what holds throughout."""
+    """Return whether a sentence is one of the closings on what holds throughout."""
     return _assumptions().fullmatch(sentence) is not None
 
 

@@ -14,7 +14,7 @@ DEGREES, RADIANS = "deg", "rad"
 
 @cache
 def factor(unit: str) -> float:
-    """What a number of some unit is multiplied by for a formula: 1 but for degrees and kilometres.
+    """Return what a number of some unit is multiplied by for a formula: 1 but for degrees and kilometres.
 
     Units of coherent systems other than the SI, such as those of astronomy, stand in formulas as they are.
     """
@@ -32,7 +32,7 @@ def counted_in(unit: str) -> str:
 
 
 def said_in(number: float, unit: str) -> str:
-    """A number of a formula, in the unit that it has there, as a text says it: 30° for 0.5236 rad, 2.5 kg."""
+    """Return a number of a formula, in the unit that it has there, as a text says it: 30° for 0.5236 rad, 2.5 kg."""
     if unit == RADIANS:
         number, unit = number / factor(DEGREES), DEGREES
     plain = format(Decimal(f"{number:.{DIGITS}g}"), "f")  # no text has exponents

@@ -18,7 +18,7 @@ BODIES = "bodies"
 
 
 def alike(members: tuple[object, ...]) -> bool:
-    """Whether all are of one kind."""
+    """Return whether all are of one kind."""
     return len({type(member) for member in members}) == 1
 
 
@@ -33,7 +33,7 @@ def join(items: list[str], last: str = " and ") -> str:
 
 
 def another(text: str) -> str:
-    """An introduction of a second of its kind."""
+    """Return an introduction of a second of its kind."""
     for article in ("a ", "an "):
         if text.startswith(article):
             return "another " + text[len(article) :]
@@ -41,7 +41,7 @@ def another(text: str) -> str:
 
 
 def introductions(kind: type[Body], *, again: bool) -> tuple[str, ...]:
-    """The templates that introduce a body without a letter, for the first time or `again`."""
+    """Return the templates that introduce a body without a letter, for the first time or `again`."""
     return (kind.again or tuple(map(another, kind.lone))) if again else kind.lone
 
 
@@ -61,7 +61,7 @@ def spoken(saying: Saying, part: Any) -> tuple[str, ...]:
 
 
 def resolved(part: Any, path: str) -> Any:
-    """What a slot speaks of; a word of a body stands for the body itself."""
+    """Return what a slot speaks of; a word of a body stands for the body itself."""
     held: Any = part
     for step in path.split("."):
         if held is None:
@@ -83,16 +83,16 @@ class Names:
     nouns: Mapping[type[Body], str] = field(default_factory=dict[type[Body], str])
 
     def noun(self, body: Body) -> str:
-        """The everyday word for a body in this text."""
+        """Return the everyday word for a body in this text."""
         return self.nouns.get(type(body), body.nouns[0])
 
     def mention(self, address: str, body: Body, *, full: bool = True) -> str:
-        """How a body that was introduced is spoken of: *the block*, *block A*, or *A* where `full` is off."""
+        """Return how a body that was introduced is spoken of: *the block*, *block A*, or *A* where `full` is off."""
         return called(self.noun(body), self.letters.get(address, ""), full=full)
 
 
 def called(noun: str, letter: str, *, full: bool) -> str:
-    """A body by its noun and its letter, if it has one; a digit alone would pass for a number."""
+    """Return a body by its noun and its letter, if it has one; a digit alone would pass for a number."""
     if not letter:
         return f"the {noun}"
     return f"{noun} {letter}" if full or letter[0].isdigit() else letter
@@ -121,13 +121,13 @@ def letters(order: Iterable[str], bodies: Mapping[str, Body]) -> dict[str, str]:
 
 
 def letter_at(alphabet: str, index: int) -> str:
-    """The letter at a place of a series; after its end the series begins again with a digit."""
+    """Return the letter at a place of a series; after its end the series begins again with a digit."""
     turn, place = divmod(index, len(alphabet))
     return alphabet[place] + (str(turn + 1) if turn else "")
 
 
 def symbols(parameters: Iterable[Parameter], bodies: Mapping[str, Body], names: Names) -> dict[str, str]:
-    """A LaTeX symbol for every parameter: m_A where the body has a letter, else m, else m with the noun."""
+    """Return a LaTeX symbol for every parameter: m_A where the body has a letter, else m, else m with the noun."""
     wanted: dict[str, list[str]] = {}
     for parameter in parameters:
         owner, _, name = parameter.path.rpartition(".")
@@ -165,24 +165,24 @@ class RowWriter(Protocol):
     names: Names
 
     def choose(self, options: tuple[str, ...]) -> str:
-        """One of several wordings."""
+        """Return one of several wordings."""
         ...
 
     def finish(self, sentence: str) -> str:
-        """A rendered sentence with its capital."""
+        """Return a rendered sentence with its capital."""
         ...
 
     def at(self, address: str) -> str:
-        """What the text has for an address."""
+        """Return what the text has for an address."""
         ...
 
     def render(self, template: str, address: str) -> str:
-        """A template of the part at an address."""
+        """Return a template of the part at an address."""
         ...
 
 
 def headings(kind: type[Body]) -> dict[str, str]:
-    """The heading of every spoken column, by field: its symbol and unit."""
+    """Return the heading of every spoken column, by field: its symbol and unit."""
     found: dict[str, str] = {}
     for name, held in field_types(kind).items():
         if held.measure is not None and not held.hidden:
@@ -193,7 +193,7 @@ def headings(kind: type[Body]) -> dict[str, str]:
 
 
 def table(writer: RowWriter, leads: tuple[str, ...], where: list[str], members: tuple[Body, ...]) -> list[str]:
-    """A lead-in, one of `leads`, the columns that agree in sentences, the others as Markdown rows."""
+    """Return a lead-in, one of `leads`, the columns that agree in sentences, the others as Markdown rows."""
     noun, kind = writer.names.noun(members[0]), type(members[0])
     columns = headings(kind)
     shared = [name for name in columns if _agrees(writer, name, where, members)]
@@ -211,13 +211,13 @@ def table(writer: RowWriter, leads: tuple[str, ...], where: list[str], members: 
 
 
 def _agrees(writer: RowWriter, name: str, where: list[str], members: tuple[Body, ...]) -> bool:
-    """Whether a column has the same number in all rows, and none of them alone is an unknown."""
+    """Return whether a column has the same number in all rows, and none of them alone is an unknown."""
     said = {writer.at(f"{address}.{name}") for address in where}
     return len({getattr(member, name) for member in members}) == 1 and len(said) in (1, len(where))
 
 
 def introduced(lead: str, noun: str, kind: type[Body], shown: list[str]) -> str:
-    """A lead-in with the noun of the rows and the names of the columns."""
+    """Return a lead-in with the noun of the rows and the names of the columns."""
     columns = join(list(dict.fromkeys(_name(kind, name) for name in shown)))
     return lead.replace("{noun}", noun).replace("{columns}", columns)
 
@@ -235,5 +235,5 @@ def _name(kind: type[Body], name: str) -> str:
 
 
 def _cell(value: str) -> str:
-    """A number without its unit, which the heading has."""
+    """Return a number without its unit, which the heading has."""
     return value.split(" ", maxsplit=1)[0]

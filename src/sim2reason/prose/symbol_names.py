@@ -20,7 +20,7 @@ NOUNS = (
 
 
 def with_names(marked: Description) -> Description:
-    """A text in symbols, each with its noun where it would stand alone."""
+    """Return a text in symbols, each with its noun where it would stand alone."""
     parameters = {parameter.path: parameter for parameter in marked.scene.parameters}
     units = {marked.symbols[path]: p.measure.unit for path, p in parameters.items() if path in marked.symbols}
     names = {
@@ -40,7 +40,7 @@ def with_names(marked: Description) -> Description:
 
 
 def without_names(text: str) -> str:
-    """A text as it was before `with_names`."""
+    """Return a text as it was before `with_names`."""
     for before, _, noun, after in NOUNS:
         text = re.sub(rf"({before}){noun}(?=\$[^$]+\${after})", r"\1", text)
     return _named().sub(r"(\1)", text)
@@ -58,7 +58,7 @@ def _with_nouns(sentence: str, units: Mapping[str, str]) -> str:
 
 @cache
 def _named() -> re.Pattern[str]:
-    """A symbol in a bracket behind the name of a number that some body has."""
+    """Return a symbol in a bracket behind the name of a number that some body has."""
     held = (kind for body in BODIES.values() for kind in field_types(body).values())
     names = {kind.measure.name for kind in held if kind.measure is not None}
     return re.compile(rf"\((?:{'|'.join(map(re.escape, sorted(names)))}) (\$[^$]+\$)\)")

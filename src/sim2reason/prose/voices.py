@@ -18,13 +18,13 @@ VoiceName = Literal["numeric", "symbolic"]
 
 
 def numeric(parameter: Parameter, symbol: str) -> str:
-    """The number and its unit."""
+    """Return the number and its unit."""
     del symbol
     return parameter.measure.say(parameter.value or 0.0)
 
 
 def symbolic(parameter: Parameter, symbol: str) -> str:
-    """The symbol alone."""
+    """Return the symbol alone."""
     del parameter
     return f"${symbol}$"
 
@@ -41,7 +41,7 @@ class Hiding:
     paths: tuple[str, ...]
 
     def __call__(self, parameter: Parameter, symbol: str) -> str:
-        """The symbol of what is hidden, else the number."""
+        """Return the symbol of what is hidden, else the number."""
         return (symbolic if parameter.path in self.paths else numeric)(parameter, symbol)
 
 
@@ -78,7 +78,7 @@ class Terms(ABC):
 
     @abstractmethod
     def choose(self, options: tuple[str, ...]) -> str:
-        """One of several wordings."""
+        """Return one of several wordings."""
 
     @cached_property
     def parameters(self) -> dict[str, Parameter]:
@@ -101,11 +101,11 @@ class Terms(ABC):
         return symbols(said, self.scene.bodies, self.names)
 
     def word(self, word: Word, value: Any, render: Callable[[str], str]) -> str:
-        """The word for a value, its template rendered."""
+        """Return the word for a value, its template rendered."""
         return render(word.text(value))
 
     def at(self, address: str, *, start: bool = False) -> str:
-        """What the text has for an address: a number, a word of a body, a body, or a list of bodies."""
+        """Return what the text has for an address: a number, a word of a body, a body, or a list of bodies."""
         if address in self.parameters:
             return self.number(address)
         owner, _, name = address.rpartition(".")
@@ -119,7 +119,7 @@ class Terms(ABC):
         return self._list(members, start=start)
 
     def number(self, address: str) -> str:
-        """A number in the voice of this text."""
+        """Return a number in the voice of this text."""
         parameter = self.parameters[address]
         self.told[address] = None
         return self._voice(parameter, self.symbols.get(address, parameter.measure.symbol))
@@ -130,7 +130,7 @@ class Terms(ABC):
         return body is not None and body.told_by_word(name)
 
     def introduce(self, address: str, *, start: bool) -> str:
-        """A body by its name, introduced with its numbers if it was not yet mentioned."""
+        """Return a body by its name, introduced with its numbers if it was not yet mentioned."""
         body = self.scene.bodies[address]
         if address in self.introduced:
             return self.names.mention(address, body, full=start)

@@ -58,7 +58,7 @@ class Writer(Terms):
 
     @property
     def builder(self) -> Builder:
-        """Where sites are, and which way strings must leave them."""
+        """Return where sites are, and which way strings must leave them."""
         return self.scene.builder
 
     def sentences(self) -> list[str]:
@@ -91,7 +91,7 @@ class Writer(Terms):
         return order
 
     def _lines(self, name: str, done: set[str]) -> list[str]:
-        """The lines of an entity, once: its parts' first, then its own, then the connections inside it."""
+        """Return the lines of an entity, once: its parts' first, then its own, then the connections inside it."""
         if name in done:
             return []
         done.add(name)
@@ -134,12 +134,12 @@ class Writer(Terms):
         return [self.finish(self.render(template.replace(".*", f".{index}"), address)) for index in range(len(members))]
 
     def says_line(self, saying: Saying, template: str, part: Part) -> bool:
-        """Whether a line is said in one of its wordings: one on several members only where there are several."""
+        """Return whether a line is said in one of its wordings: one on several members only where there are several."""
         several = saying.several if isinstance(saying, Wordings) else ""
         return (not several or len(getattr(part, several)) > 1) and self.is_said(template, part)
 
     def is_said(self, template: str, part: Part) -> bool:
-        """Whether a sentence is said: not if it needs something absent, or a number that a word has told."""
+        """Return whether a sentence is said: not if it needs something absent, or a number that a word has told."""
         for slot in slots(template):
             if slot.kind != "path" or "*" in slot.path:
                 continue
@@ -158,7 +158,7 @@ class Writer(Terms):
         return True
 
     def _closings(self) -> list[str]:
-        """What holds for all; a g that is a symbol is named, not said to equal itself."""
+        """Return the closing sentences; a symbolic g is named instead of being equated with itself."""
         told: list[str] = []
         for found in closings(self.scene):
             if self.leaves_out(found):
@@ -170,11 +170,11 @@ class Writer(Terms):
         return told
 
     def leaves_out(self, closing: Closing) -> bool:
-        """Whether a closing stays unsaid: a start from rest, too, where the line on its place is left out."""
+        """Return whether a closing stays unsaid: a start from rest, too, where the line on its place is left out."""
         return closing.topic in self._without or (closing.role == "start" and "start" in self._left_out)
 
     def _as(self, role: Role, sentence: str, topic: Topic | None) -> str:
-        """A sentence whose role and topic are kept."""
+        """Return a sentence whose role and topic are kept."""
         if topic is not None:
             self.topics.add(topic)
         if role != "fact":
@@ -182,7 +182,7 @@ class Writer(Terms):
         return sentence
 
     def choose(self, options: tuple[str, ...]) -> str:
-        """One of several wordings; always one draw, so that all voices stay in step."""
+        """Return one of several wordings; always one draw, so that all voices stay in step."""
         return options[int(self._rng.random() * len(options))]
 
     def pass_over(self, options: tuple[str, ...]) -> None:
@@ -190,7 +190,7 @@ class Writer(Terms):
         self.choose(options)
 
     def finish(self, sentence: str) -> str:
-        """A rendered sentence with its capital."""
+        """Return a rendered sentence with its capital."""
         self._finished.append(sentence[:1].upper() + sentence[1:])
         return self._finished[-1]
 
@@ -200,7 +200,7 @@ class Writer(Terms):
         return tuple(self._finished)
 
     def render(self, template: str, address: str, *, start: bool = True) -> str:
-        """A template of the entity or part at `address`, introducing bodies at their first mention.
+        """Return a template of the entity or part at `address`, introducing bodies at their first mention.
 
         Inside a sentence it is no `start`: there a body that is known goes by its letter alone.
         """
@@ -224,7 +224,7 @@ class Writer(Terms):
         return self._named(slot, part, address, start=start)
 
     def _named(self, slot: Slot, part: Any, address: str, *, start: bool) -> str:
-        """What stands for a name in a template: a word, a choice, a number or a body."""
+        """Return what stands for a name in a template: a word, a choice, a number or a body."""
         words = type(part).words if isinstance(part, Part | Connection) else {}
         if slot.path in words:
             word = words[slot.path]

@@ -111,7 +111,7 @@ class Quantity(ABC):
     @staticmethod
     @abstractmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Its values at n instants: (n,), or (n, 3) of a vector, in room coordinates."""
+        """Return its values at n instants: (n,), or (n, 3) of a vector, in room coordinates."""
 
     def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
         """Return the names that `evaluate` takes, in the order of the mechanism: those of its kind that fit."""
@@ -123,7 +123,7 @@ class Quantity(ABC):
         return True
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Whether it is worth asking of one subject, as friction is on a rough face; so by default."""
+        """Return whether it is worth asking of one subject, as friction is on a rough face; so by default."""
         del mechanism, name
         return True
 
@@ -149,7 +149,7 @@ class Quantity(ABC):
 
 
 def _remembered(name: str, evaluate: Callable[[State, str], Array]) -> Callable[[State, str], Array]:
-    """The same, worked out once for each state: many quantities are read off a few others."""
+    """Return the same, worked out once for each state: many quantities are read off a few others."""
 
     @wraps(evaluate)
     def read(state: State, subject: str) -> Array:
@@ -172,5 +172,5 @@ def quantity(cls: type[Q]) -> type[Q]:
 
 
 def ordered() -> list[Quantity]:
-    """All quantities by kind of subject, each kind's by their order."""
+    """Return all quantities by kind of subject, each kind's by their order."""
     return sorted(QUANTITIES.values(), key=lambda found: (found.of.name, found.order))

@@ -51,7 +51,7 @@ class EnergyOfTurning(Energy):
     given = True
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Whether the body turns and has a moment of inertia, so that the parts differ from the whole.
+        """Return whether the body turns and has a moment of inertia, so that the parts differ from the whole.
 
         Of a part of a rigid body nobody asks for them.
         """
@@ -125,7 +125,7 @@ class PotentialEnergy(Energy):
 
 
 def _pulls(mechanism: Mechanism, name: str) -> list[tuple[Attraction, str]]:
-    """The attractions of a body, each with the other one."""
+    """Return the attractions of a body, each with the other one."""
     return [(p, p.b if p.a == name else p.a) for p in mechanism.attractions if name in (p.a, p.b)]
 
 

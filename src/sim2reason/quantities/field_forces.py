@@ -49,14 +49,14 @@ class ElectricPotentialEnergy(Quantity):
 
 
 def _potential(force: Force, place: Triple) -> Number:
-    """The potential energy, J; only of what is `present`."""
+    """Return the potential energy, J; only of what is `present`."""
     found: Number = force.law.potential(place, np)
     assert found is not None
     return found
 
 
 def _electric(mechanism: Mechanism, name: str) -> list[Force]:
-    """The forces on a body that a charge at rest would feel, too."""
+    """Return the forces on a body that a charge at rest would feel, too."""
     return [force for force in mechanism.forces if force.body == name and isinstance(force.law, Push | Central)]
 
 

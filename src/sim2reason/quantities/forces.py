@@ -223,7 +223,7 @@ class RodForce(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """A multiplier, or of a rod on a hinge what all that it holds needs: Σ m (g − a) along it; (n,)."""
+        """Return a multiplier, or of a rod on a hinge what all that it holds needs: Σ m (g − a) along it; (n,)."""
         if subject in state.mechanism.line:
             return state.tension[subject]
         (top, start), (bottom, end) = pointer(state.mechanism, subject)

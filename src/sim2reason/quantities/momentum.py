@@ -122,11 +122,11 @@ class BodyMass(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """What is left, (n,)."""
+        """Return what is left, (n,)."""
         return np.zeros(len(state.times)) + state.mass(subject)
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Whether it changes."""
+        """Return whether it changes."""
         return any(burn.body == name for burn in mechanism.burns)
 
 

@@ -178,7 +178,7 @@ class Deflection(Quantity):
 
 
 def deflection_at_start(state: State, subject: str) -> float:
-    """The angle at the start of the motion, in degrees."""
+    """Return the angle at the start of the motion, in degrees."""
     return float(_angle(state.began, state.mechanism, subject))
 
 
@@ -192,7 +192,7 @@ def _angle(frames: Frames, mechanism: Mechanism, subject: str) -> Array:
 
 
 def _slack(state: State, subject: str) -> Array:
-    """Whether a string is slack, (n,): shorter than it may be."""
+    """Return whether a string is slack, (n,): shorter than it may be."""
     line = state.mechanism.line.get(subject)
     if line is None or not isinstance(line.law, Inextensible):
         return np.zeros(len(state.times), dtype=bool)

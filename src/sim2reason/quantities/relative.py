@@ -55,7 +55,7 @@ class RelativeSpeed(Quantity):
     order = 1
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Whether both move: else it is the speed of the one that does."""
+        """Return whether both move: else it is the speed of the one that does."""
         return all(moves(mechanism, body) for body in members(name))
 
     @staticmethod

@@ -27,7 +27,7 @@ class AngularVelocity(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """The sum of the rates of all hinges, each about its present axis, (n, 3)."""
+        """Return the sum of the rates of all hinges, each about its present axis, (n, 3)."""
         return state.vector(state.frames[subject].turning.velocity)
 
 
@@ -44,7 +44,7 @@ class AngularAcceleration(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """The rate of change of the angular velocity, that of the axes included, (n, 3)."""
+        """Return the rate of change of the angular velocity, that of the axes included, (n, 3)."""
         turning = state.frames[subject].turning
         total = turning.bias
         for number, axis in turning.gradient.items():
@@ -58,7 +58,7 @@ class Angle(Quantity):
     of = TurningBodies()
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Whether it has one axis."""
+        """Return whether it has one axis."""
         return name in self.subjects(mechanism)
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
@@ -84,7 +84,7 @@ class AngleTurned(Angle):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """The sum of the angles of all hinges, (n,)."""
+        """Return the sum of the angles of all hinges, (n,)."""
         return degrees(1.0) * _turned(state, subject)
 
 
@@ -108,7 +108,7 @@ class AngleRolled(Angle):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """The sum of the angles of all hinges, (n,)."""
+        """Return the sum of the angles of all hinges, (n,)."""
         return _turned(state, subject)
 
 
@@ -123,7 +123,7 @@ class Revolutions(Angle):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """The angle turned, by that of a whole turn, (n,)."""
+        """Return the angle turned, by that of a whole turn, (n,)."""
         return _turned(state, subject) / (2.0 * np.pi)
 
 
@@ -133,13 +133,13 @@ def _about_one_axis(mechanism: Mechanism, name: str) -> bool:
 
 
 def _rolls(mechanism: Mechanism, name: str) -> bool:
-    """Whether a hinge that turns the body is among those by which it slips on a face."""
+    """Return whether a hinge that turns the body is among those by which it slips on a face."""
     hinges = {hinge for hinge, _ in turning_axes(mechanism, name)}
     return any(hinge in hinges for face in mechanism.faces for hinge, _ in face.slip if not face.turning)
 
 
 def _turned(state: State, subject: str) -> Array:
-    """The angle from the start, rad, (n,)."""
+    """Return the angle from the start, rad, (n,)."""
     mechanism = state.mechanism
     axes = turning_axes(mechanism, subject)
     total = np.zeros(len(state.times))

@@ -9,7 +9,7 @@ from sim2reason.quantities.subjects.lines import Springs
 
 
 def _law(state: State, subject: str) -> tuple[Line, Elastic]:
-    """A spring and its law."""
+    """Return a spring and its law."""
     line = state.mechanism.line[subject]
     assert isinstance(line.law, Elastic)
     return line, line.law
@@ -31,7 +31,7 @@ class Extension(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """The length l − l₀, what a pulley winds up included, (n,)."""
+        """Return the length l − l₀, what a pulley winds up included, (n,)."""
         line, law = _law(state, subject)
         return state.free_length(line)[0] - law.length
 

@@ -121,7 +121,7 @@ class QuestionMode(ABC):
         return frozenset(name for name, kind in KINDS.items() if self.offers_options or not kind.names_one)
 
     def offers(self, mechanism: Mechanism) -> bool:
-        """Whether it may ask anything about a mechanism whose motion is not known yet; by default so."""
+        """Return whether it may ask anything about a mechanism whose motion is not known yet; by default so."""
         del mechanism
         return True
 
@@ -148,13 +148,13 @@ class QuestionMode(ABC):
         return question
 
     def described(self, question: Question, description: Description) -> Description:
-        """The text of the scene as a question needs it; by default with what it leaves open by its name."""
+        """Return the text of the scene as a question needs it; by default with what it leaves open by its name."""
         left_open = question.left_open
         return with_names(description.voiced(hiding(*left_open))) if left_open else description
 
     @abstractmethod
     def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
-        """What a sentence asks in this mode, found by trying every phrase; None if it is none of them."""
+        """Return what a sentence asks in this mode, found by trying every phrase; None if it is none of them."""
 
     def study(self, question: Question, study: Study) -> Study:
         """The motion that a question is about, where `study` is that of the scene as it was drawn; by default this."""
@@ -162,7 +162,7 @@ class QuestionMode(ABC):
         return study
 
     def response(self, question: Question, study: Study, other: Study) -> float | None:
-        """What the answer becomes if the motion is another's; None if what is asked about does not come.
+        """Return what the answer becomes if the motion is another's; None if what is asked about does not come.
 
         `study` is the one that the question is about. By default the query is asked again.
         """

@@ -34,7 +34,7 @@ class ChoicePrompt:
 
     @classmethod
     def read(cls, text: str) -> "ChoicePrompt":
-        """What a prompt consists of; TextError for a text that is no such prompt."""
+        """Return what a prompt consists of; TextError for a text that is no such prompt."""
         body, _, last = text.rpartition("\n\n")
         question, _, listed = body.rpartition("\n\n")
         options = [_OPTION.fullmatch(line) for line in listed.splitlines()]
@@ -76,6 +76,6 @@ def said(values: Sequence[float], digits: int = DIGITS) -> list[str]:
 
 
 def _power(value: float, digits: int) -> int:
-    """The power of ten of a number that was rounded."""
+    """Return the power of ten of a number that was rounded."""
     rounded = abs(float(f"{value:.{digits - 1}e}"))
     return floor(log10(rounded)) if rounded else 0

@@ -41,7 +41,7 @@ def apart(time: float, trace: Trace) -> bool:
 
 
 def still(trace: Trace, speeds: Array) -> float:
-    """The speed below which something with these `speeds` (n,) at the instants of the scan counts as at rest.
+    """Return the speed below which something with these `speeds` (n,) at the instants of the scan counts as at rest.
 
     What never moves has speeds, too, as rounding leaves them.
     """
@@ -101,6 +101,6 @@ def has_formula_of_time(mechanism: Mechanism) -> bool:
 
 
 def only_falls(mechanism: Mechanism) -> bool:
-    """Whether nothing but weight acts, so that everything has the acceleration that the text gives it."""
+    """Return whether nothing but weight acts, so that everything has the acceleration that the text gives it."""
     forces = (mechanism.lines, mechanism.contacts, mechanism.forces, mechanism.attractions, mechanism.burns)
     return not any(forces) and all(c.kind == "slide" for c in mechanism.coordinates)

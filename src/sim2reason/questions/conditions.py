@@ -11,7 +11,7 @@ from sim2reason.questions.words import Words
 
 
 def asking_for(unknown: Unknown, query: Query, given: StatedResult, words: Words, noun: Noun | None) -> tuple[str, ...]:
-    """All ways to ask which value of the unknown makes the answer to a query what is given."""
+    """Return all ways to ask which value of the unknown makes the answer to a query what is given."""
     kind, sense = KINDS[query.kind], query.target.sense if query.target is not None else None
     wanted, told = kind.wanted(query, words, noun), kind.told(query, words, noun, given.said)
     plain = [f"{called} is {given.said}" for called in kind.called(query, words, noun)[:1]]
@@ -29,7 +29,7 @@ def asking_for(unknown: Unknown, query: Query, given: StatedResult, words: Words
 
 
 def _stated(told: tuple[str, ...], clauses: tuple[str, ...], unknown: str, counted: str) -> Iterator[str]:
-    """The result first, in a sentence of its own, or as what is given, in a clause."""
+    """Yield the result first, in a sentence of its own, or as what is given, in a clause."""
     for statement in told:
         if statement[0].isalpha():
             yield f"{statement}{counted}. What is {unknown}?"
@@ -42,7 +42,7 @@ def _stated(told: tuple[str, ...], clauses: tuple[str, ...], unknown: str, count
 
 
 def _wanted(called: str, value: str, unknown: str, symbol: str, counted: str) -> Iterator[str]:
-    """The result as what shall be."""
+    """Yield the result as what shall be."""
     yield f"what must {unknown} be if {called} is to be {value}{counted}?"
     yield f"determine {unknown} so that {called} is {value}{counted}."
     yield f"for which value of {symbol} is {called} equal to {value}{counted}?"

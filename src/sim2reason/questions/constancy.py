@@ -41,7 +41,7 @@ def hangs_on(moment: Moment, trace: Trace, time: float, values: Values) -> bool:
 
 
 def lasts(target: Target, trace: Trace) -> bool:
-    """Whether a quantity never changes: not while the motion is described, nor, as nothing stops, after that.
+    """Return whether a quantity never changes: not while the motion is described, nor, as nothing stops, after that.
 
     What rubs against something and does not begin at rest may stop later on.
     """
@@ -57,7 +57,7 @@ def lasts(target: Target, trace: Trace) -> bool:
 
 
 def _between(trace: Trace, time: float) -> tuple[float, float]:
-    """The events next to a time, or where the motion that is described begins and ends, s."""
+    """Return the events next to a time, or where the motion that is described begins and ends, s."""
     times = [event.time for event in trace.events if _changes_something(event)]
     before = max((found for found in times if found < time * (1.0 - AT_ONCE)), default=0.0)
     after = min((found for found in times if found > time * (1.0 + AT_ONCE)), default=trace.stable_until)

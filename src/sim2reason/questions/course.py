@@ -9,7 +9,7 @@ STILL = 1e-9  # of the largest: a coordinate that has changed by less, or begins
 
 
 def ways(study: Study, time: float) -> tuple[float, ...]:
-    """Which way each coordinate has changed by a time, or begins to, and whether it turns then.
+    """Return which way each coordinate has changed by a time, or begins to, and whether it turns then.
 
     In between, a magnitude passes through zero, or a pendulum that turns becomes one that goes over the top, and
     between them takes for ever.

@@ -19,7 +19,7 @@ _NEAR = 10.0 ** -np.arange(1.0, 9.0)
 
 
 def crossings(trace: Trace, excess: Excess) -> Iterator[float]:
-    """The times, s, at which a function that was below zero comes up through zero, without a jump, in order.
+    """Yield the times, s, at which a function that was below zero comes up through zero, without a jump, in order.
 
     What begins at zero must fall below it first. NaN is neither below nor above.
     """
@@ -43,12 +43,12 @@ def crossings(trace: Trace, excess: Excess) -> Iterator[float]:
 
 
 def first_crossing(trace: Trace, excess: Excess) -> float | None:
-    """The first of the `crossings`; None if there is none while the motion is described."""
+    """Return the first of the `crossings`; None if there is none while the motion is described."""
     return next(crossings(trace, excess), None)
 
 
 def jumps(trace: Trace, excess: Excess) -> list[float]:
-    """The times, s, of events at which a function jumps from below zero to above, in order."""
+    """Return the times, s, of events at which a function jumps from below zero to above, in order."""
     times, values = trace.scan.times, excess(trace.scan)
     small = SMALL * np.abs(values)[np.isfinite(values)].max(initial=0.0)
     jumped = (np.diff(times) <= JUMP * float(times[-1])) & (values[:-1] < -small) & (values[1:] > small)
@@ -57,7 +57,7 @@ def jumps(trace: Trace, excess: Excess) -> list[float]:
 
 
 def begins_beyond(trace: Trace, excess: Excess) -> bool:
-    """Whether a function begins at zero and rises first, as a rate does where the start is a turning point."""
+    """Return whether a function begins at zero and rises first, as a rate does where the start is a turning point."""
     values = excess(trace.scan)
     size = np.abs(values)[np.isfinite(values)].max(initial=0.0)
     clear = values[np.abs(values) > SMALL * size]

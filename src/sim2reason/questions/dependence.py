@@ -88,7 +88,7 @@ class Dependence:
         return self._known[value]
 
     def is_late(self, value: float) -> bool:
-        """Whether nothing but how long a motion is followed keeps what is asked about from having an answer."""
+        """Return whether nothing but how long a motion is followed keeps what is asked about from having an answer."""
         self(value)
         return value in self._late
 
@@ -110,7 +110,7 @@ class Dependence:
         return None
 
     def _followed(self, value: float, scene: Scene, stages: Sequence[float]) -> float | None:
-        """The answer, where a motion is followed for ever longer until there is one.
+        """Return the answer, where a motion is followed for ever longer until there is one.
 
         What can not be followed any longer is as late as what is not: something may come yet.
         """
@@ -151,7 +151,7 @@ class Dependence:
 
     @property
     def _later_counts(self) -> bool:
-        """Whether something is waited for whose time is not the answer: however late it comes, it has one."""
+        """Return whether something is waited for whose time is not the answer: however late it comes, it has one."""
         timed = KINDS[self._query.kind].measured(self._query).name == "time"
         return not timed and self._query.moment is not None and self._query.moment.ahead is None
 
@@ -183,7 +183,7 @@ class Dependence:
         return [usual[1:], usual] if near == inf else [(min(1.2 * near, usual[-1]), *usual)]
 
     def rate(self, value: float) -> float | None:
-        """The derivative, from one side, which is known to `STEP`; None where there is none."""
+        """Return the derivative, from one side, which is known to `STEP`; None where there is none."""
         here, beside = self(value), self(value * (1.0 + STEP))
         if here is None or beside is None or inf in (here, beside):
             return None
@@ -260,7 +260,7 @@ def towards_border(dependence: Callable[[float], float | None], one: float, othe
 
 
 def roots(dependence: Dependence, values: Sequence[float], given: float) -> list[float]:
-    """Where the answer is `given`, between neighbours among `values` at which it lies on its two sides.
+    """Return where the answer is `given`, between neighbours among `values` at which it lies on its two sides.
 
     Between a value that has an answer and one that has none the last ones that do are looked for, too.
     """

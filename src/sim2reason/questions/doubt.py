@@ -25,7 +25,7 @@ def doubt(certificate: Certificate | None, time: float | None, moment: Moment | 
 
 
 def _seen_by_both(certificate: Certificate, time: float) -> bool:
-    """Whether an event, such as the one that ends the description, is among those that both engines saw."""
+    """Return whether an event, such as the one that ends the description, is among those that both engines saw."""
     return any(match.event.time == time for match in certificate.matched)
 
 

@@ -22,7 +22,7 @@ class StatedResult:
 
     @classmethod
     def rounded(cls, value: float, unit: str, digits: int) -> Self | None:
-        """A number rounded to significant digits; None if it is too small or too large to be said plainly."""
+        """Return a number rounded to significant digits; None if it is too small or too large to be said plainly."""
         power = floor(log10(abs(float(f"{value:.{digits - 1}e}")))) if value else LARGEST + 1
         if not SMALLEST <= power <= LARGEST:
             return None
@@ -31,7 +31,7 @@ class StatedResult:
 
     @classmethod
     def found(cls, text: str, unit: str) -> Iterator[Self]:
-        """All numbers of a unit that stand in a text."""
+        """Return all numbers of a unit that stand in a text."""
         return (cls(number, unit) for number in _number(unit).findall(text))
 
     @property
@@ -53,6 +53,6 @@ class StatedResult:
 
 @cache
 def _number(unit: str) -> re.Pattern[str]:
-    """A number as it is said with its unit, or followed by no letter where it has none."""
+    """Return a number as it is said with its unit, or followed by no letter where it has none."""
     shown = join_unit("", unit)
     return re.compile(rf"(?<![\w.])({MINUS}?\d{{1,5}}(?:\.\d{{1,6}})?){re.escape(shown)}(?![\w/]|\.\d)")

@@ -50,7 +50,7 @@ class Scan:
         return next((at for at in beside if values[0] <= at <= values[-1] and self._coarse(at) is None), None)
 
     def far(self, values: Sequence[float]) -> float | None:
-        """One of some numbers far away whose answer is not clear of what is given; None if none is.
+        """Return one of some numbers far away whose answer is not clear of what is given; None if none is.
 
         Nothing is looked for between them, nor is it waited for: beyond another root answers are on the wrong side.
         """
@@ -78,7 +78,7 @@ class Scan:
         yield from filter(self._is_apart, self._swings())
 
     def _between(self, values: Sequence[float]) -> Iterator[float]:
-        """The values that are left, but for those where the answer is seen to run smoothly between known ones."""
+        """Yield the values that are left, but for those where the answer is seen to run smoothly between known ones."""
         stride = STRIDES[-1]
         first = stride // 2
         last = len(values) - 1 - (len(values) - 1 - first) % stride
@@ -157,7 +157,7 @@ class Scan:
             pairs = [half for (low, high), at in zip(apart, middles, strict=True) for half in ((low, at), (at, high))]
 
     def _differ(self, one: float, other: float) -> bool:
-        """Whether different things happen for two numbers."""
+        """Return whether different things happen for two numbers."""
         courses = [self._coarse.course(at) for at in (one, other)]
         return None not in courses and courses[0] != courses[1]
 
@@ -197,14 +197,14 @@ class Scan:
 
 
 def _is_uneven(low: tuple[float, float], middle: tuple[float, float], high: tuple[float, float]) -> bool:
-    """Whether a line from the outer ones of three points (x, y) misses the middle one by far."""
+    """Return whether a line from the outer ones of three points (x, y) misses the middle one by far."""
     share = (middle[0] - low[0]) / (high[0] - low[0])
     line = (1.0 - share) * low[1] + share * high[1]
     return abs(middle[1] - line) > UNEVEN * min(low[1], middle[1], high[1])
 
 
 def _lowest(*points: tuple[float, float]) -> tuple[float, float]:
-    """Where the parabola through three points (x, y), the middle one lowest, is lowest, and how low."""
+    """Return where the parabola through three points (x, y), the middle one lowest, is lowest, and how low."""
     (low, a), (middle, b), (high, c) = points
     left, right = (middle - low) * (b - c), (middle - high) * (b - a)
     bottom = middle - 0.5 * ((middle - low) * left - (middle - high) * right) / (left - right)

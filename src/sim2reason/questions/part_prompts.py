@@ -47,7 +47,7 @@ class PartPrompt:
 
     @classmethod
     def read(cls, text: str) -> "PartPrompt":
-        """The parts of a prompt; TextError for a text that is no such prompt."""
+        """Return the parts of a prompt; TextError for a text that is no such prompt."""
         body, _, last = text.rpartition("\n\n")
         scene, _, listed = body.rpartition("\n\n")
         lines = [_PART.fullmatch(line) for line in listed.splitlines()]
@@ -71,7 +71,7 @@ class PartPrompt:
 
     @property
     def last_line(self) -> str:
-        """How to give the answers."""
+        """Return how to give the answers."""
         told = [f"({label}) {_told(unit)}" for label, unit in zip(LABELS, self.units, strict=False)]
         box = "; ".join(f"({label}) …" for label in LABELS[: len(self.units)])
         digits = DIGITS if any(unit != AS_WHOLE for unit in self.units) else ""
@@ -79,13 +79,13 @@ class PartPrompt:
         return FORMS[self.form].format(box=rf"\boxed{{{box}}}", units=each, digits=digits)
 
     def single(self, part: int, question: str) -> Iterator[str]:
-        """The prompts of one part alone, in full words; one of them is as the library writes such."""
+        """Yield the prompts of one part alone, in full words; one of them is as the library writes such."""
         form = _single_form(self.units[part])
         for between in (" ", "\n\n"):  # a table ends with an empty line
             yield f"{self.scene}{between}{question} {form}"
 
     def after(self, part: int, answers: Sequence[str]) -> str:
-        """The prompt of one part that gives the answers to all before it."""
+        """Return the prompt of one part that gives the answers to all before it."""
         before = [
             f"({label}) {question} {ANSWER} {answer}."
             for label, question, answer in zip(LABELS, self.questions[:part], answers, strict=False)
@@ -97,7 +97,7 @@ class PartPrompt:
 def together(
     description: Description, questions: Sequence[Question], words: Words, rng: np.random.Generator
 ) -> tuple[Prompt, tuple[str, ...]]:
-    """One prompt with several questions, in a shape that has the question last, and their texts in it.
+    """Return one prompt with several questions, in a shape that has the question last, and their texts in it.
 
     Where two in a row are about one moment, the second one calls it that moment.
     """
@@ -152,7 +152,7 @@ def _as_number(said: str) -> str:
 
 
 def _single_form(unit: str, answer: str = "your answer") -> str:
-    """The last line of a prompt with one question."""
+    """Return the last line of a prompt with one question."""
     form = {AS_WHOLE: WHOLE, AS_PURE: PLAIN_FORMATS}.get(unit, FORMATS)[0]
     return (
         form.replace("your answer", answer).format(unit=unit)

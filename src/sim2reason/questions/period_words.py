@@ -44,12 +44,12 @@ class PeriodQuery(Query):
 
 
 def movers(words: Words) -> dict[str, str]:
-    """What moves and is spoken of: bodies, and arms that turn."""
+    """Return what moves and is spoken of: bodies, and arms that turn."""
     return {**words.called(Bodies()), **words.called(TurningBodies())}
 
 
 def noun_of(query: PeriodQuery, words: Words) -> str:
-    """As in: the period of small oscillations of the block about the position of equilibrium."""
+    """Return a text such as *the period of small oscillations of the block about the position of equilibrium*."""
     if not query.small:
         return _noun_of_motion(query, words)
     about = f"about {_place(query)}"
@@ -60,7 +60,7 @@ def noun_of(query: PeriodQuery, words: Words) -> str:
 
 
 def sentences(query: PeriodQuery, words: Words) -> tuple[str, ...]:
-    """All that ask for it, the most usual first."""
+    """Return all that ask for it, the most usual first."""
     if not query.small:
         others = _of_motion(query, words)
     else:
@@ -81,7 +81,7 @@ def _of(query: PeriodQuery, words: Words) -> str:
 
 
 def equilibrium_called(*, stable: bool) -> str:
-    """How a text calls it."""
+    """Return how a text calls it."""
     return "stable equilibrium" if stable else "equilibrium"
 
 
@@ -175,7 +175,7 @@ def _of_modes(query: PeriodQuery) -> tuple[str, ...]:
 
 
 def attracted_by(mechanism: Mechanism, name: str) -> str:
-    """The fixed body about which another one goes, drawn by it; empty if there is none."""
+    """Return the fixed body about which another one goes, drawn by it; empty if there is none."""
     for pull in mechanism.attractions:
         for one, other in ((pull.a, pull.b), (pull.b, pull.a)):
             if one == name and not center_path(mechanism, other).ways:

@@ -19,19 +19,19 @@ _OTHER = re.compile(r"\b(?:that|which|by) (?!which )\w")  # a clause with a subj
 
 
 def chosen(shapes: tuple[str, ...], rng: np.random.Generator) -> str:
-    """One of several sentences that ask the same: its verb by quota, then any with that verb."""
+    """Return one of several sentences that ask the same: its verb by quota, then any with that verb."""
     verbs = [found.group() if (found := _VERB.search(shape.lower())) else "what" for shape in shapes]
     weights = np.array([QUOTA[verb] / verbs.count(verb) for verb in verbs])
     return shapes[int(rng.choice(len(shapes), p=weights / weights.sum()))]
 
 
 def sentence(shape: str) -> str:
-    """A shape as it stands in a text: with a capital."""
+    """Return a shape as it stands in a text: with a capital."""
     return shape[0].upper() + shape[1:]
 
 
 def asking(target: Target, noun: Noun, when: str, again: str = "") -> tuple[str, ...]:
-    """All ways to ask for a quantity, a magnitude or a component, at a moment.
+    """Return all ways to ask for a quantity, a magnitude or a component, at a moment.
 
     `again` speaks of the moment after the noun phrase has named what it is about.
     """
@@ -55,7 +55,7 @@ def asking(target: Target, noun: Noun, when: str, again: str = "") -> tuple[str,
 
 
 def asking_then(query: Query, words: Words, noun: Noun) -> tuple[str, ...]:
-    """All ways to ask for a quantity, in every phrase for its moment."""
+    """Return all ways to ask for a quantity, in every phrase for its moment."""
     assert query.target is not None
     assert query.moment is not None
     noun, whens = spanning(query.moment, words, noun)
@@ -68,7 +68,7 @@ def asking_then(query: Query, words: Words, noun: Noun) -> tuple[str, ...]:
 
 
 def naming_then(query: Query, words: Words, noun: Noun) -> tuple[str, ...]:
-    """A quantity as a noun phrase with its moment, in every phrase for that."""
+    """Return a quantity as a noun phrase with its moment, in every phrase for that."""
     assert query.moment is not None
     if noun.timeless:
         return (noun.phrase,)

@@ -55,7 +55,7 @@ class Prompt:
 
 
 def words_of(description: Description) -> Words:
-    """What questions need to know of a text."""
+    """Return what questions need to know of a text."""
     scene = description.scene
     said = [(p.path, p) for p in scene.parameters if p.path in description.symbols]
     mentions = {address: description.mention(address) for address in scene.bodies}
@@ -66,12 +66,12 @@ def words_of(description: Description) -> Words:
 
 
 def prompt(description: Description, question: Question, rng: np.random.Generator) -> str:
-    """The text of the scene, the question, and how to give the answer."""
+    """Return the text of the scene, the question, and how to give the answer."""
     return shaped(description, question, rng).text
 
 
 def shaped(description: Description, question: Question, rng: np.random.Generator) -> Prompt:
-    """The prompt in one of the shapes that this text and this question can have."""
+    """Return the prompt in one of the shapes that this text and this question can have."""
     form = _last_line(question, rng)
     body = composed(description, question.text, rng)
     after = "\n\n" if body.text.endswith("|") else " "
@@ -92,7 +92,7 @@ def composed(
 
 
 def _last_line(question: Question, rng: np.random.Generator) -> str:
-    """How to give the answer."""
+    """Return how to give the answer."""
     if question.formula is not None:
         form = SYMBOLIC[int(rng.random() * len(SYMBOLIC))]
         own = f", {IN_RADIANS}" if question.unit in ANGLES else ""
@@ -104,12 +104,12 @@ def _last_line(question: Question, rng: np.random.Generator) -> str:
 
 
 def _named(formula: Formula) -> Iterator[str]:
-    """The symbols; an angle that stands in the formula as a number, too, is one in radians."""
+    """Yield the symbols; an angle that stands in the formula as a number, too, is one in radians."""
     plain = _TURNED.sub("", formula.latex)
     for symbol, unit in zip(formula.symbols, formula.units, strict=True):
         yield f"${symbol}$ ({IN_RADIANS})" if unit in ANGLES and symbol in plain else f"${symbol}$"
 
 
 def unit_in_words(unit: str) -> str:
-    """A unit as a sentence has it: degrees are a word, all else a symbol."""
+    """Return a unit as a sentence has it: degrees are a word, all else a symbol."""
     return "degrees" if unit == "deg" else show_unit(unit)

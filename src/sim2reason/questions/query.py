@@ -26,7 +26,7 @@ class Query:
 
     @property
     def subject(self) -> str:
-        """What it is about: the subject of its quantity, else the first that its moment speaks of."""
+        """Return what it is about: the subject of its quantity, else the first that its moment speaks of."""
         if self.target is not None:
             return self.target.subject
         return next(iter(self.moment.subjects), "") if self.moment is not None else ""

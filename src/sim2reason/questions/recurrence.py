@@ -27,7 +27,7 @@ class Repetition:
     name: str
 
     def time(self, trace: Trace) -> float | None:
-        """When that is, s; None if it does not happen while the motion is described, or at an event."""
+        """Return when that is, s; None if it does not happen while the motion is described, or at an event."""
         mechanism = trace.mechanism
         names = [c.name for body in chain(mechanism, self.name) for c in body.coordinates]
         time = _first_return(trace, [mechanism.number[name] for name in names])
@@ -35,7 +35,7 @@ class Repetition:
 
 
 def is_autonomous(mechanism: Mechanism) -> bool:
-    """Whether time has no part in the equations: no engine, no winch, no field that changes with time."""
+    """Return whether time has no part in the equations: no engine, no winch, no field that changes with time."""
     return _is_steady(mechanism) and not mechanism.burns
 
 
@@ -99,7 +99,7 @@ def _felt(mechanism: Mechanism) -> list[int]:
 
 
 def ends_at_rest(trace: Trace) -> bool:
-    """Whether nothing moves or is accelerated at the end, and time has no part in the equations."""
+    """Return whether nothing moves or is accelerated at the end, and time has no part in the equations."""
     end = trace.at(float(trace.state.times[-1]))
     fastest = float(np.abs(trace.scan.v).max(initial=0.0))
     at_rest = float(np.abs(end.v).max(initial=0.0)) <= STILL * fastest and not np.any(np.abs(end.a) > STILL)
@@ -135,7 +135,7 @@ def uniform_from(trace: Trace) -> float | None:
 
 
 def nothing_new(trace: Trace) -> bool:
-    """Whether all that comes after a motion's end is known: it has come to rest for ever, or repeats itself."""
+    """Return whether all that comes after a motion's end is known: it has come to rest for ever, or repeats itself."""
     return ends_at_rest(trace) or first_return(trace) is not None
 
 
@@ -163,7 +163,7 @@ def flies_off(trace: Trace, name: str) -> bool:
 
 
 def _first_return(trace: Trace, numbers: Sequence[int]) -> float | None:
-    """When some coordinates and their velocities are what they were, whole turns of hinges aside.
+    """Return when some coordinates and their velocities are what they were, whole turns of hinges aside.
 
     Then a sum of the coordinates that grows at the start, or of the velocities of what begins at rest, does so again.
     """
@@ -178,11 +178,11 @@ def _first_return(trace: Trace, numbers: Sequence[int]) -> float | None:
     turned = hinges & (not any(line.wheels for line in mechanism.lines))  # unless a line is wound up
 
     def gone(state: State) -> Array:
-        """How far from the start."""
+        """Return how far from the start."""
         return state.q[:, number] - start.q[0, number]
 
     def excess(state: State) -> Array:
-        """How far it has gone the way that it went at first, or how fast it goes it."""
+        """Return how far it has gone the way that it went at first, or how fast it goes it."""
         return (np.where(turned, np.sin(gone(state)), gone(state)) if moves else state.v[:, number]) @ way
 
     def alike(here: State) -> bool:

@@ -40,7 +40,7 @@ OWN = {
 
 
 def symbol_for(value: float, unit: str, taken: Collection[str]) -> OwnSymbol | None:
-    """A symbol for a number of a question's own that nothing else has; None if there is none for its unit."""
+    """Return a symbol for a number of a question's own that nothing else has; None if there is none for its unit."""
     noun, options = OWN.get(unit, ("", ()))
     free = next((option for option in options if option not in taken), None)
     return OwnSymbol(noun, free, value) if free is not None else None
@@ -63,7 +63,7 @@ def say(value: float, unit: str) -> str:
 
 
 def said(text: str, unit: str) -> list[float]:
-    """The numbers of a unit that stand in a text."""
+    """Return the numbers of a unit that stand in a text."""
     found = [float(number) for number in _number(unit).findall(text)]
     if unit == METRE:
         found += [float(Decimal(number) * int(KILO)) for number in _number("km").findall(text)]
@@ -72,7 +72,7 @@ def said(text: str, unit: str) -> list[float]:
 
 @cache
 def _number(unit: str) -> re.Pattern[str]:
-    """A number as `say` has it: the degree sign follows without a space."""
+    """Return a number as `say` has it: the degree sign follows without a space."""
     shown = join_unit("", unit)
     return re.compile(rf"({DIGITS}(?:\.{DIGITS})?){re.escape(shown)}(?![\w/])")
 
@@ -81,17 +81,17 @@ ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth")
 
 
 def ordinal(number: int) -> str:
-    """Which of several, counted from one: *first*."""
+    """Return which of several, counted from one: *first*."""
     return ORDINALS[number - 1]
 
 
 def numbers_of(text: str) -> list[int]:
-    """The numbers whose ordinals stand in a text; 1 where there is none."""
+    """Return the numbers whose ordinals stand in a text; 1 where there is none."""
     return [number for number, word in enumerate(ORDINALS, start=1) if re.search(rf"\b{word}\b", text)] or [1]
 
 
 def two_digits(value: float) -> str:
-    """A positive number with two significant digits, never in scientific notation."""
+    """Return a positive number with two significant digits, never in scientific notation."""
     rounded = float(f"{value:.1e}")
     places = max(0, 1 - int(np.floor(np.log10(rounded))))
     return f"{rounded:.{places}f}"
@@ -104,7 +104,7 @@ def digits(value: float) -> str:
 
 
 def spoken(value: float) -> float:
-    """A positive number as it will be said."""
+    """Return a positive number as it will be said."""
     return float(two_digits(value))
 
 

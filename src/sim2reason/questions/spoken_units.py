@@ -40,7 +40,7 @@ class SpokenUnits:
 
     @property
     def says_otherwise(self) -> bool:
-        """Whether it says anything but units of the SI."""
+        """Return whether it says anything but units of the SI."""
         return bool(self.words or self.whole)
 
     def spelled(self, unit: str) -> tuple[str, Decimal]:
@@ -63,7 +63,7 @@ class SpokenUnits:
         return (spelled if spelled != found.name else unit), factor
 
     def _said_for(self, word: str) -> tuple[str, Decimal] | None:
-        """What it says in place of one unit, which may have a prefix: for km as for m, with another factor."""
+        """Return what it says in place of one unit, which may have a prefix: for km as for m, with another factor."""
         if word in self.words:
             return self.words[word]
         bare, scale = coherent(word)
@@ -71,7 +71,7 @@ class SpokenUnits:
         return (other[0], other[1] * scale) if other is not None else None
 
     def beside(self, text: str, *more: tuple[float, str]) -> "SpokenUnits":
-        """What of it suits a text in the SI, and `more` numbers with their units.
+        """Return what of it suits a text in the SI, and `more` numbers with their units.
 
         A `whole` unit stays, and all that have its metres or kilograms do, where a number in another would need a power
         of ten, or the text has a second unit for the like of it, as m/s beside km/s.
@@ -85,7 +85,7 @@ class SpokenUnits:
 
 
 def _is_odd(unit: str, other: tuple[str, Decimal], numbers: Iterable[tuple[float, str]]) -> bool:
-    """Whether nobody would say another unit in place of one, beside some numbers with their units."""
+    """Return whether nobody would say another unit in place of one, beside some numbers with their units."""
     name, factor = other
     alike = [(number, found) for number, found in numbers if parse_unit(found).dimension == parse_unit(unit).dimension]
     if any(parse_unit(found).name not in (unit, name) for _, found in alike):
@@ -94,12 +94,12 @@ def _is_odd(unit: str, other: tuple[str, Decimal], numbers: Iterable[tuple[float
 
 
 def _mechanical(unit: str) -> set[str]:
-    """The units of length and mass, or made of such, in another."""
+    """Return the units of length and mass, or made of such, in another."""
     return {word for word, _ in factors(unit) if _is_mechanical(word)}
 
 
 def _is_mechanical(word: str) -> bool:
-    """Whether a unit measures lengths or masses, or is made of such."""
+    """Return whether a unit measures lengths or masses, or is made of such."""
     dimension = parse_unit(word).dimension
     return bool(dimension.length or dimension.mass)
 
@@ -132,14 +132,14 @@ The last says them only where a text would: a rocket's mass stays in kilograms.
 
 
 def system_named(name: str) -> SpokenUnits:
-    """A system of units by its name; UnknownNameError with the names there are."""
+    """Return a system of units by its name; UnknownNameError with the names there are."""
     if name not in tuple(SYSTEMS):  # which takes what is no key, too
         raise UnknownNameError(f"no such units: {name!r}; there are: {', '.join(SYSTEMS)}")
     return SYSTEMS[name]
 
 
 def spoken_in(system: SpokenUnits, text: str) -> str:
-    """A text with all its numbers in a system of units, instead of the SI."""
+    """Return a text with all its numbers in a system of units, instead of the SI."""
 
     def said(number: str, unit: str) -> tuple[str, str] | None:
         other, factor = _spelled(system, unit)
@@ -183,7 +183,7 @@ def _spelled(system: SpokenUnits, shown: str) -> tuple[str, Decimal]:
 
 @cache
 def _restored(shown: str) -> tuple[str, Decimal]:
-    """The printed unit of the SI for one of another system, and what one of it is in that."""
+    """Return the printed unit of the SI for one of another system, and what one of it is in that."""
     try:
         name = parse_unit(shown).name
     except UnitError:
@@ -214,7 +214,7 @@ def _converted(text: str, said: Said) -> str:
 
 
 def _numbers_in(text: str) -> Iterator[tuple[float, str]]:
-    """All numbers of a text that have a unit, with that."""
+    """Yield all numbers of a text that have a unit, with that."""
     found = list[tuple[str, str]]()
 
     def noted(number: str, unit: str) -> tuple[str, str]:
@@ -228,7 +228,7 @@ def _numbers_in(text: str) -> Iterator[tuple[float, str]]:
 
 
 def _table(rows: list[str], said: Said) -> list[str]:
-    """A Markdown table, whose headings have the units of the numbers below them."""
+    """Return a Markdown table, whose headings have the units of the numbers below them."""
     cells = [row.strip("| ").split(" | ") for row in rows]
     for column, heading in enumerate(cells[0]):
         unit = _HEADING.search(heading)

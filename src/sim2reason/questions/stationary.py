@@ -31,7 +31,7 @@ class StationaryPoint:
         self._answer = dependence
 
     def among(self, values: Sequence[float]) -> StationaryValue | None:
-        """The only extreme between the first and the last of some values, at least three, in order.
+        """Return the only extreme between the first and the last of some values, at least three, in order.
 
         None if there are several or none, or not all values have an answer.
         """
@@ -59,7 +59,7 @@ class StationaryPoint:
         return values[n], values[n + 1], values[n + 2], rises[n]
 
     def near(self, about: float, *, greatest: bool) -> StationaryValue | None:
-        """The extreme close to a value: just there, if it is there; None if none is."""
+        """Return the extreme close to a value: just there, if it is there; None if none is."""
         at = about
         for turn in range(ROUNDS):
             step = STEP * abs(at)
@@ -85,7 +85,7 @@ class StationaryPoint:
 
 
 def _vertex(points: Sequence[tuple[float, float]]) -> float:
-    """Where the parabola through three points turns back."""
+    """Return where the parabola through three points turns back."""
     (low, a), (middle, b), (high, c) = points
     left, right = (middle - low) * (b - c), (middle - high) * (b - a)
     return middle - 0.5 * ((middle - low) * left - (middle - high) * right) / (left - right)

@@ -29,7 +29,7 @@ class Timed(Hashable, Protocol):
     """What comes at some time of a motion."""
 
     def time(self, trace: Trace) -> float | None:
-        """When it comes, s; None if it does not."""
+        """Return when it comes, s; None if it does not."""
         ...
 
 
@@ -46,7 +46,7 @@ class Study(Memo):
 
     @classmethod
     def of(cls, scene: Scene, times: Array) -> Self:
-        """A scene and its motion, recorded at `times` (n,), s.
+        """Return a scene and its motion, recorded at `times` (n,), s.
 
         Raises:
             SceneError, UnsupportedError, SimulationError: the scene can not be built, modelled or solved.
@@ -55,11 +55,11 @@ class Study(Memo):
 
     @property
     def mechanism(self) -> Mechanism:
-        """What moves."""
+        """Return what moves."""
         return self.trace.mechanism
 
     def time(self, moment: Timed) -> float | None:
-        """When a moment comes, s; None if it does not come while the motion is described."""
+        """Return when a moment comes, s; None if it does not come while the motion is described."""
         try:
             return self._times[moment]
         except KeyError:
@@ -79,7 +79,7 @@ class Study(Memo):
         return None if scene is None else self.variant(scene, until)
 
     def likewise(self, values: Mapping[str, float]) -> "Study | None":
-        """The motion with other values, changed as this one is and followed as far, to the same accuracy.
+        """Return the motion with other values, changed as this one is and followed as far, to the same accuracy.
 
         None if there is none.
         """
@@ -94,7 +94,7 @@ class Study(Memo):
         return self._followed(("likewise", tuple(values.items())), make, None, error)
 
     def _having(self, values: Mapping[str, float]) -> Scene | None:
-        """The scene with other values, or None if there is none; several filters ask for the same ones."""
+        """Return the scene with other values, or None if there is none; several filters ask for the same ones."""
         key = tuple(values.items())
         if key not in self._scenes:
             try:

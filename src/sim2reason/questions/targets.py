@@ -41,15 +41,15 @@ class Target:
 
     @property
     def signed(self) -> bool:
-        """Whether a minus sign can be right."""
+        """Return whether a minus sign can be right."""
         return self.sense is not None
 
     def value(self, state: State) -> float:
-        """The value at the first instant of a state."""
+        """Return the value at the first instant of a state."""
         return float(self.values(state)[0])
 
     def values(self, state: State) -> Array:
-        """The values at all instants of a state, (n,)."""
+        """Return the values at all instants of a state, (n,)."""
         found = QUANTITIES[self.quantity].evaluate(state, self.subject)
         if found.ndim == 1:
             return found if self.signed else np.abs(found)
@@ -82,7 +82,7 @@ class Noun:
     states: str = ""
 
     def heard(self, text: str) -> bool:
-        """Whether a sentence can ask for it."""
+        """Return whether a sentence can ask for it."""
         if self.phrase in text or any(words and words in text for words in (self.indirect, self.over)):
             return True
         subject, _, rest = self.states.partition("{value}")
@@ -155,7 +155,7 @@ def _phrased(words: Words) -> Iterator[tuple[Target, Noun]]:
 
 
 def _askable(quantity: Quantity, name: str, words: Words) -> bool:
-    """Whether a subject has a quantity, and the text gives all that this needs."""
+    """Return whether a subject has a quantity, and the text gives all that this needs."""
     return quantity.present(words.mechanism, name) and _told(quantity, name, words)
 
 
@@ -197,7 +197,7 @@ class _Filler:
         self._name, self._words = name, words
 
     def of(self, quantity: Quantity, template: str, component: str = "") -> str:
-        """A template with all but the moment filled in."""
+        """Return a template with all but the moment filled in."""
         if not template:
             return ""
         subject, words = quantity.of, self._words

@@ -8,7 +8,7 @@ NEARLY = 1.2  # of the tolerance: an answer that is off by less may be paid, or 
 
 
 def out_of_range(tolerance: float) -> str:
-    """Why no answer may have a relative error; empty if it may."""
+    """Return why no answer may have a relative error; empty if it may."""
     if STRICTEST <= tolerance <= TOLERANCE:
         return ""
     return f"{tolerance!r} is none; give a number from {STRICTEST} to {TOLERANCE}"

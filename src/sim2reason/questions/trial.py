@@ -43,7 +43,7 @@ class Trial:
         self._doublings: dict[float, int] = {}  # of the outcome's own duration, until it was clear
 
     def __call__(self, value: float, error: float = FINEST) -> bool | None:
-        """Whether it does; None if there is no such motion. `error` is what a step may err by."""
+        """Return whether it does; None if there is no such motion. `error` is what a step may err by."""
         found = self._tried(value, error)
         return None if found is None else found.happens
 
@@ -59,12 +59,12 @@ class Trial:
         return self._known[value, error]
 
     def _usual_doublings(self, value: float) -> int:
-        """Those with the nearest value that was tried: it takes about as long with this one."""
+        """Return those with the nearest value that was tried: it takes about as long with this one."""
         near = min(self._doublings, key=lambda tried: abs(tried - value), default=None)
         return self._doublings[near] if near is not None else 0
 
     def _followed(self, value: float, error: float, begin: int) -> _Found | None:
-        """Whether it does with one value: the motion is followed for ever longer until that is clear.
+        """Return whether it does with one value: the motion is followed for ever longer until that is clear.
 
         At first it is as long as so many doublings make it.
         """
@@ -80,12 +80,12 @@ class Trial:
         return None
 
     def change(self) -> float | None:
-        """Where the outcome changes, if it does so just once in the number's range."""
+        """Return where the outcome changes, if it does so just once in the number's range."""
         turns = self._turns(range_of(self._scene, self._path)) if self._roughly() is not None else []
         return self.between(*turns[0]) if len(turns) == 1 else None
 
     def changes_at(self, value: float, *, above: bool, error: float = FINEST) -> bool:
-        """Whether the outcome comes about just above a value and not just below it, or else the other way round.
+        """Return whether the outcome comes about just above a value and not just below it, or else the other way round.
 
         `error` is what a step may err by, up to what still tells these sides apart.
         """
@@ -103,7 +103,7 @@ class Trial:
         return self.between(*turn, EXACT if error <= ENOUGH else ROUGH, error)
 
     def usual_change(self) -> float | None:
-        """Where the outcome changes near what is drawn, if a few points of the range show just one change.
+        """Return where the outcome changes near what is drawn, if a few points of the range show just one change.
 
         Whether there are others between these points, `changes_only_at` says; to look at all costs far more.
         """
@@ -114,7 +114,7 @@ class Trial:
         return self.between(low, high) if self._is_usual(low, high) else None
 
     def changes_only_at(self, value: float) -> bool:
-        """Whether the outcome changes nowhere else in the number's range."""
+        """Return whether the outcome changes nowhere else in the number's range."""
         turns = self._turns(range_of(self._scene, self._path))
         return len(turns) == 1 and turns[0][0] <= value <= turns[0][1]
 
@@ -142,7 +142,7 @@ class Trial:
         return list(islice(((low, high) for (low, one), (high, other) in pairwise(told) if one != other), 2))
 
     def _is_usual(self, low: float, high: float) -> bool:
-        """Whether any number between two is not far from those that are drawn."""
+        """Return whether any number between two is not far from those that are drawn."""
         least, most = usual_range(self._scene, self._path)
         return low <= most and high >= least
 
@@ -158,7 +158,7 @@ class Trial:
         return self.between(low, high, WRONG, COARSE)
 
     def near(self, about: float) -> float | None:
-        """Where it changes, looked for ever farther from a number: just there, if that is where it does."""
+        """Return where it changes, looked for ever farther from a number: just there, if that is where it does."""
         for width in (SAME, *(CLOSE * WIDER**turn for turn in range(WIDEST))):
             low, high = about / (1.0 + width), about * (1.0 + width)
             if {self(low, ENOUGH), self(high, ENOUGH)} == {True, False}:
@@ -188,7 +188,7 @@ class Trial:
         return 0.5 * (low + high)
 
     def _narrowed(self, low: float, high: float, error: float) -> tuple[float, float]:
-        """The nearest numbers that differ in it among those that are known between two that do."""
+        """Return the nearest numbers that differ in it among those that are known between two that do."""
         tried = sorted((at, f.happens) for (at, by), f in self._known.items() if by == error and f is not None)
         between = [found for found in tried if low <= found[0] <= high]
         return next((one, other) for (one, a), (other, b) in pairwise(between) if a != b)

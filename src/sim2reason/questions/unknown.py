@@ -41,7 +41,7 @@ class Unknown:
 
     @classmethod
     def of(cls, scene: Scene, parameter: Parameter, mentions: Mapping[str, str], symbol: str) -> Self | None:
-        """A number of a scene; None if it says where something is, or no range says what it could be."""
+        """Return a number of a scene; None if it says where something is, or no range says what it could be."""
         held, measure, owner = _field(scene, parameter.path), parameter.measure, parameter.path.rpartition(".")[0]
         if held.drawn is None or held.drawn.low == held.drawn.high or (held.least < 0.0 and measure.unit in LENGTHS):
             return None
@@ -54,7 +54,7 @@ class Unknown:
         )
 
     def called(self, symbol: str) -> Self:
-        """The same in a text that has another symbol for it."""
+        """Return the same in a text that has another symbol for it."""
         shown = f"${symbol}$"
         return replace(self, symbol=shown, phrases=(*self.phrases[:-2], *_by_symbol(self.name, shown)))
 
@@ -71,7 +71,7 @@ def unknowns(scene: Scene, mentions: Mapping[str, str], symbols: Mapping[str, st
 
 
 def some(offered: Sequence[Unknown], scene: Scene, rng: np.random.Generator) -> Iterator[Unknown]:
-    """A few of them: what they are is drawn first, so that many masses are asked for no more often than one mass.
+    """Yield a few of them: what they are is drawn first, so that many masses are asked for no more often than one mass.
 
     Those are left out without which the text would be another one.
     """
@@ -88,7 +88,7 @@ def some(offered: Sequence[Unknown], scene: Scene, rng: np.random.Generator) -> 
 
 
 def _keeps_routes(scene: Scene, path: str) -> bool:
-    """Whether strings run as they do with other values of a number, too."""
+    """Return whether strings run as they do with other values of a number, too."""
     try:
         other = scene.having(path, float(scene.value(path)) * NUDGE)
     except (SceneError, ValueError):  # it has its greatest value
@@ -176,13 +176,13 @@ def _onwards(points: Array, end: float) -> list[float]:
 
 
 def usual_range(scene: Scene, path: str) -> tuple[float, float]:
-    """Where a number is not far from those that are drawn."""
+    """Return where a number is not far from those that are drawn."""
     drawn = _field(scene, path).drawn
     return (drawn.low / USUAL, drawn.high * USUAL) if drawn is not None else (inf, -inf)
 
 
 def is_usual(scene: Scene, path: str, value: float) -> bool:
-    """Whether a number lies there."""
+    """Return whether a number lies there."""
     low, high = usual_range(scene, path)
     return low <= value <= high
 

@@ -38,7 +38,7 @@ class Words:
         unknown: Mapping[str, str] | None = None,
         symbols: Mapping[str, str] | None = None,
     ) -> Self:
-        """Those of a text about a scene that calls its bodies by `mentions`.
+        """Return those of a text about a scene that calls its bodies by `mentions`.
 
         `unknown` has the symbol of each number that it leaves unknown, or could; `symbols` those that all would have.
         """
@@ -48,13 +48,13 @@ class Words:
         return cls(scene.mechanism, mentions, scene.starts_from_rest, said, offered, symbols or {}, named=named)
 
     def in_symbols(self, own: Mapping[str, OwnSymbol]) -> Self:
-        """Those of the text that has symbols in place of numbers, and some for the question's own."""
+        """Return those of the text that has symbols in place of numbers, and some for the question's own."""
         unknowns = [found.called(self.symbols[found.path]) for found in self.unknowns if found.path in self.symbols]
         return replace(self, symbolic=True, own=own, unknowns=unknowns)
 
     @cached_property
     def turns_back(self) -> bool:
-        """Whether something may turn back: what is sent off, collides, or is driven by a force that changes."""
+        """Return whether something may turn back: what is sent off, collides, or is driven by a force that changes."""
         return may_turn_back(self.mechanism)
 
     @property
@@ -63,17 +63,17 @@ class Words:
         return "release" if self.released else "t = 0"
 
     def say(self, value: float, unit: str) -> str:
-        """A number of the question's own: 0.80 s, or its symbol."""
+        """Return a number of the question's own: 0.80 s, or its symbol."""
         own = self.own.get(unit)
         return own.shown if own is not None else say(value, self.units.spell(unit))
 
     def amount(self, value: float, unit: str) -> str:
-        """The same where a noun must go before a symbol: 0.80 s, or *a time $t$*."""
+        """Return the same where a noun must go before a symbol: 0.80 s, or *a time $t$*."""
         own = self.own.get(unit)
         return f"{own.noun} {own.shown}" if own is not None else self.say(value, unit)
 
     def heard(self, text: str, unit: str) -> list[float]:
-        """The numbers of a question's own that stand in it."""
+        """Return the numbers of a question's own that stand in it."""
         own = self.own.get(unit)
         if own is None:
             return said(text, self.units.spell(unit))
@@ -92,5 +92,5 @@ class Words:
         return found
 
     def fills(self, of: Subject, name: str) -> dict[str, str]:
-        """What further placeholders stand for in phrases about one subject."""
+        """Return what further placeholders stand for in phrases about one subject."""
         return of.fills(self.mechanism, name, self.mentions)

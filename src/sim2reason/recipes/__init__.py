@@ -38,7 +38,7 @@ class Recipe:
 
     @property
     def summary(self) -> str:
-        """What its function says of itself, in one line."""
+        """Return what its function says of itself, in one line."""
         return (getdoc(self.draw) or "").partition("\n")[0]
 
 
@@ -56,13 +56,13 @@ def recipe(name: str, share: int = 1, weights: Mapping[str, float] | None = None
 
 
 def all_recipes() -> tuple[str, ...]:
-    """The names of all recipes, each as often as it is dealt in a round."""
+    """Return the names of all recipes, each as often as it is dealt in a round."""
     rounds = range(max(member.share for member in RECIPES.values()))
     return tuple(name for turn in rounds for name, member in RECIPES.items() if member.share > turn)
 
 
 def difficulty_named(difficulty: str) -> Difficulty:
-    """A difficulty by its name; UnknownNameError with the names there are."""
+    """Return a difficulty by its name; UnknownNameError with the names there are."""
     for name in DIFFICULTIES:
         if name == difficulty:
             return name

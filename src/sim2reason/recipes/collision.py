@@ -108,7 +108,7 @@ def draw_collision(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
 
 
 def _meets(track: ComplexCollisionPlane) -> bool:
-    """Whether not all run away from each other."""
+    """Return whether not all run away from each other."""
     speeds = [glider.v for glider in track.gliders]
     ends = [0.0] if track.left is not None else []
     speeds = [*ends, *speeds, *([0.0] if track.right is not None else [])]
@@ -116,7 +116,7 @@ def _meets(track: ComplexCollisionPlane) -> bool:
 
 
 def _drawn(kind: type, name: str, rng: np.random.Generator, drawn: Range | None = None) -> float:
-    """A number of a class, from its own range or a narrower one."""
+    """Return a number of a class, from its own range or a narrower one."""
     held = field_types(kind)[name]
     found = drawn or held.drawn
     assert held.measure is not None

@@ -12,7 +12,7 @@ KIND = "RocketEntity"
 
 
 def _waits(rocket: RocketEntity) -> bool:
-    """Whether its thrust cannot lift it before it has burnt some of its fuel."""
+    """Return whether its thrust cannot lift it before it has burnt some of its fuel."""
     return rocket.thrust < rocket.rocket.mass * GRAVITY
 
 

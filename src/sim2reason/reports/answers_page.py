@@ -33,7 +33,7 @@ Shown = Mapping[tuple[str, str], SampleOutcome]
 
 
 def answers_page(folder: RunFolder, outcomes: Mapping[str, Sequence[SampleOutcome]]) -> Iterator[str]:
-    """The page, piece by piece; `outcomes` by benchmark."""
+    """Yield the page, piece by piece; `outcomes` by benchmark."""
     yield HEAD.format(most=MOST_ITEMS)
     for benchmark, held in outcomes.items():
         policies = list(dict.fromkeys(outcome.policy for outcome in held))
@@ -47,7 +47,7 @@ def answers_page(folder: RunFolder, outcomes: Mapping[str, Sequence[SampleOutcom
 
 
 def _texts(folder: RunFolder, policy: str, benchmark: str, wanted: set[str]) -> dict[str, str]:
-    """What a policy said first to each of the wanted problems."""
+    """Return what a policy said first to each of the wanted problems."""
     samples = finished(folder.samples(policy, benchmark))
     return {s.id: s.completion.whole[:LONGEST] for s in samples if s.sample == 0 and s.id in wanted}
 

@@ -52,7 +52,7 @@ PROMISING = 16  # constants that are scored: more than enough for what rounding 
 
 
 def answered(config: ReinforcementLearning) -> dict[str, Path]:
-    """The folder of the evaluation for each way to choose responses."""
+    """Return the folder of the evaluation for each way to choose responses."""
     return {name: TrainingFolder(config.out).evaluation / name for name in RESPONSES}
 
 
@@ -122,7 +122,7 @@ def _share(points: Sequence[float]) -> str:
 
 
 def best_constant(items: Sequence[BenchmarkItem]) -> Estimate:
-    """What the constant that fits the answers best earns, by their own scoring.
+    """Return what the constant that fits the answers best earns, by their own scoring.
 
     Each answer, and both ends of its tolerance, may be it; those are scored that lie within most tolerances.
     """

@@ -14,7 +14,7 @@ MARKS = str.maketrans({"|": r"\|", "\n": " ", "\r": " ", "<": "&lt;", "`": "'"})
 
 
 def table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> Iterator[str]:
-    """The lines of a table; whatever could end a cell is escaped."""
+    """Yield the lines of a table; whatever could end a cell is escaped."""
     yield f"| {' | '.join(head)} |"
     yield f"|{' --- |' * len(head)}"
     for row in rows:
@@ -22,7 +22,7 @@ def table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> Iterator[str
 
 
 def page(record: RunRecord, results: Sequence[Result], pictures: Sequence[str], notes: Sequence[str] = ()) -> str:
-    """The whole page."""
+    """Return the whole page."""
     return "\n".join([*_head(results, notes), *_settings(record), *_groups(results), *_pictures(pictures), ""])
 
 
@@ -79,7 +79,7 @@ def _sampling(settings: Mapping[str, JsonValue]) -> str:
 
 
 def _groups(results: Sequence[Result]) -> Iterator[str]:
-    """A table for each benchmark and tag, a column for each policy."""
+    """Yield a table for each benchmark and tag, a column for each policy."""
     for benchmark in dict.fromkeys(result.benchmark for result in results):
         held = [result for result in results if result.benchmark == benchmark]
         for tag in sorted({tag for result in held for tag in result.groups}):

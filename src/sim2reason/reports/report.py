@@ -76,7 +76,7 @@ def _pictures(folder: RunFolder, results: Sequence[Result]) -> Iterator[str]:
 
 
 def _groups(out: Path, benchmark: str, results: Sequence[Result]) -> Iterator[str]:
-    """A picture for each tag that sorts a benchmark's problems into a few groups."""
+    """Yield a picture for each tag that sorts a benchmark's problems into a few groups."""
     for tag in sorted({tag for each in results for tag in each.groups}):
         values = sorted({value for each in results for value in each.groups.get(tag, {})})
         if not 2 <= len(values) <= 20:

@@ -52,7 +52,7 @@ class Estimate(NamedTuple):
 
 
 def wilson(right: int, total: int) -> Estimate:
-    """A share of independent trials, with the score interval of Wilson (1927).
+    """Return a share of independent trials, with the score interval of Wilson (1927).
 
     ValueError for no trials, or for more right ones than there are.
     """
@@ -81,7 +81,7 @@ def _resampled(values: Floats) -> Floats:
 
 
 def _interval(values: Floats, least: float) -> Estimate:
-    """The mean of values from `least` to 1, with the ends of its interval.
+    """Return the mean of values from `least` to 1, with the ends of its interval.
 
     Where all values are alike a bootstrap sees no spread; then the ends are as far as Wilson's are from none of n.
     """
@@ -170,7 +170,7 @@ class Share(_Record):
 
     @classmethod
     def of(cls, estimate: Estimate) -> "Share":
-        """The same, to be written down."""
+        """Return the same, to be written down."""
         return cls(**estimate._asdict())
 
     @property
@@ -222,7 +222,7 @@ class RunReport(_Record):
 
 
 def points_by_item(outcomes: Iterable[SampleOutcome]) -> dict[str, list[float]]:
-    """The points of each problem's samples."""
+    """Return the points of each problem's samples."""
     found: dict[str, list[float]] = {}
     for outcome in outcomes:
         found.setdefault(outcome.id, []).append(outcome.points)
@@ -230,7 +230,7 @@ def points_by_item(outcomes: Iterable[SampleOutcome]) -> dict[str, list[float]]:
 
 
 def result(folder: RunFolder, policy: str, benchmark: str, outcomes: Sequence[SampleOutcome]) -> Result | None:
-    """The result of a policy on a benchmark; None if there is no answer yet."""
+    """Return the result of a policy on a benchmark; None if there is no answer yet."""
     if not outcomes:
         return None
     plan, points = folder.record.benchmarks[benchmark], points_by_item(outcomes)

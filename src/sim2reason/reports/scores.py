@@ -23,7 +23,7 @@ class PolicyScores:
     points: dict[str, dict[str, list[float]]]
 
     def means(self, benchmark: str) -> dict[str, float]:
-        """The mean points of each problem of a benchmark."""
+        """Return the mean points of each problem of a benchmark."""
         return {item: sum(held) / len(held) for item, held in self.points.get(benchmark, {}).items()}
 
 
@@ -40,7 +40,7 @@ def _outcomes(folder: RunFolder) -> Iterator[SampleOutcome]:
 
 
 def all_scores(run: Path | str) -> list[PolicyScores]:
-    """The scores of every policy of a run; EvaluationError if it has no report."""
+    """Return the scores of every policy of a run; EvaluationError if it has no report."""
     folder = RunFolder(Path(run))
     points: dict[str, dict[str, dict[str, list[float]]]] = {name: {} for name in folder.record.policies}
     for found in _outcomes(folder):
@@ -49,7 +49,7 @@ def all_scores(run: Path | str) -> list[PolicyScores]:
 
 
 def scores_of(place: str) -> PolicyScores:
-    """The scores of one policy: of RUN if that has only one, or of RUN:POLICY.
+    """Return the scores of one policy: of RUN if that has only one, or of RUN:POLICY.
 
     EvaluationError if there is no such run or policy, or if it has several and none is named.
     """

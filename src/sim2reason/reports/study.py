@@ -122,7 +122,7 @@ def _values(held: Means) -> list[float]:
 
 
 def _over_seeds(runs: Sequence[Means]) -> list[float]:
-    """The mean points of each problem."""
+    """Return the mean points of each problem."""
     return [float(mean) for mean in np.mean([_values(run) for run in runs], axis=0)]
 
 
@@ -188,7 +188,7 @@ def _page(study: TrainingStudy, found: StudyReport) -> list[str]:
 
 
 def _corpora(study: TrainingStudy) -> list[str]:
-    """What the warm start of each arm learned from; arms with the same one stand together."""
+    """Return what the warm start of each arm learned from; arms with the same one stand together."""
     arms: dict[str, list[str]] = {}
     for arm in study.arms:
         folder = TrainingFolder(study.first(arm).out)

@@ -127,7 +127,7 @@ def _told_entity(named: Named) -> dict[str, Plain]:
 
 
 def told(value: Any, *, kind: bool = False) -> Plain:
-    """A value as a file has it; `kind`: its class must be said."""
+    """Return a value as a file has it; `kind`: its class must be said."""
     if isinstance(value, tuple):
         return [told(member, kind=kind) for member in value]  # type: ignore[reportUnknownVariableType]
     if not isinstance(value, Model):
@@ -160,7 +160,7 @@ def _slots(cls: type[Model]) -> dict[str, _Slot]:
 
 
 def _with_line(place: str, text: str) -> str:
-    """A path with the line where it stands, or where what lacks it begins; found by reading once more."""
+    """Return a path with the line where it stands, or where what lacks it begins; found by reading once more."""
     lines: Lines = {}
     parse(text, lines)
     known = place
@@ -243,7 +243,7 @@ def _class(name: str, place: str) -> type[Entity]:
 
 
 def _made(cls: type[M], data: Plain, place: str, given: dict[str, object] | None = None) -> M:
-    """A model from what a file says of it, and what else is known."""
+    """Return a model from what a file says of it, and what else is known."""
     slots = _slots(cls)
     held = _mapping(data, place, tuple(name for name in slots if name not in (given or {})))
     values: dict[str, object] = {name: _value(slots[name], v, f"{place}.{name}") for name, v in held.items()}
@@ -278,7 +278,7 @@ def _one(slot: _Slot, data: Plain, place: str) -> object:
 
 
 def _mapping(data: Plain, place: str, keys: tuple[str, ...], *, root: bool = False) -> dict[str, Plain]:
-    """A mapping that has no other keys."""
+    """Return a mapping that has no other keys."""
     listed = ", ".join(keys) or "none"
     if not isinstance(data, dict):
         problem = "it is missing" if data is None else f"it is {shown(data)}, not a mapping"
@@ -309,7 +309,7 @@ def _glued(body: dict[str, Plain]) -> tuple[str, ...]:
 
 
 def _file_place(place: str, entities: tuple[Named, ...], connections: dict[str, str]) -> str:
-    """A place that a scene names, as the path in its file."""
+    """Return a place that a scene names, as the path in its file."""
     head, *rest = place.split(".")
     if head in connections:
         return connections[head]

@@ -33,7 +33,7 @@ _SUBPATH = re.compile(r"([a-z_]+(?:\.[a-z0-9_]+)*): (.*)", re.DOTALL)
 
 
 def explained(cls: type[Model], error: ValidationError, place: str) -> SceneError:
-    """The first mistake in a value of `cls` at `place`, and how many more there are."""
+    """Return the first mistake in a value of `cls` at `place`, and how many more there are."""
     details = error.errors(include_url=False)
     first = details[0]
     where = place + "".join(f"[{step}]" if isinstance(step, int) else f".{step}" for step in first["loc"])
@@ -44,7 +44,7 @@ def explained(cls: type[Model], error: ValidationError, place: str) -> SceneErro
 
 
 def _own(message: str, place: str) -> SceneError:
-    """A validator's message: it may begin with where, and end with what to do."""
+    """Return a validator's message: it may begin with where, and end with what to do."""
     if found := _SUBPATH.fullmatch(message):
         steps, message = found.groups()
         place += "".join(f"[{step}]" if step.isdigit() else f".{step}" for step in steps.split("."))
@@ -81,7 +81,7 @@ class Respelled:
     places: dict[str, str]
 
     def in_file(self, place: str) -> str:
-        """The path in the file of a path in the parameters."""
+        """Return the path in the file of a path in the parameters."""
         for new, old in self.places.items():
             if place == new or place.startswith((f"{new}.", f"{new}[")):
                 return old + place.removeprefix(new).removesuffix(".mass")
@@ -89,7 +89,7 @@ class Respelled:
 
 
 def plain_name(name: Plain) -> Plain:
-    """A title such as ``Pulley System`` as a name, ``pulley_system``; what is none already is left as it is."""
+    """Return a title such as ``Pulley System`` as a name, ``pulley_system``; what is none already is left as it is."""
     if not isinstance(name, str):
         return name
     return re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_")[:LONGEST] if re.search(r"[A-Z ]", name) else name
@@ -133,7 +133,7 @@ def _blocks(masses: list[Plain]) -> Plain:
 
 
 def _shared(value: Plain, count: int, place: str) -> list[str]:
-    """One word for all systems, or a list with one for each."""
+    """Return one word for all systems, or a list with one for each."""
     words = value if isinstance(value, list) else [value] * count
     if len(words) != count:
         raise SceneError(place, f"it has {len(words)} members for {count} systems", "give one word, or one for each")
@@ -144,7 +144,7 @@ def _shared(value: Plain, count: int, place: str) -> list[str]:
 
 
 def _masses(value: Plain, count: int, place: str) -> list[tuple[str, list[Plain]]]:
-    """The masses of each system with the path in the file; of several systems each may be a number or a list."""
+    """Return the masses of each system with the path in the file; of several systems each may be a number or a list."""
     if not isinstance(value, list):
         problem = "it is missing" if value is None else f"it is {shown(value)}, not a list"
         raise SceneError(place, problem, "list the masses in kg, as [10] or [2.0, 3.0]")

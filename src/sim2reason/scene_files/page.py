@@ -71,7 +71,7 @@ scene:
 
 
 def format_page() -> str:
-    """The whole page."""
+    """Return the whole page."""
     return "\n".join([HEAD, *_page()]) + "\n"
 
 
@@ -101,7 +101,7 @@ def _section(
 
 
 def _table(cls: type[Model], found: dict[str, type[Model]], only: list[str] | None = None) -> Iterator[str]:
-    """The fields of a class; the classes that they hold are noted in `found`, and theirs."""
+    """Yield the fields of a class; the classes that they hold are noted in `found`, and theirs."""
     known = [field for field in fields(cls) if only is None or field.name in only]
     if not known:
         return
@@ -135,7 +135,7 @@ def _unit(field: Field) -> str:
 
 
 def _valid(field: Field) -> str:
-    """The limits, without what the other columns say; or the words that may stand there."""
+    """Return the limits, without what the other columns say; or the words that may stand there."""
     said = words(field.schema)
     return said if said.startswith("one of: ") else said.partition(", ")[2]
 
@@ -148,7 +148,7 @@ def _default(cls: type[Model], field: Field) -> str:
 
 
 def _ports(cls: type[Entity]) -> Iterator[str]:
-    """The directions of an entity and what a connection does there."""
+    """Yield the directions of an entity and what a connection does there."""
     ports = outer_ports(cls)
     if not ports:
         return
@@ -159,7 +159,7 @@ def _ports(cls: type[Entity]) -> Iterator[str]:
 
 
 def _use(port: Port, name: str) -> str:
-    """What a connection does at a port."""
+    """Return what a connection does at a port."""
     match port:
         case Pass():
             return f"side of `{name}`, which a string passes"

@@ -46,13 +46,13 @@ MASSES: Json = {
 
 @cache
 def snake(name: str) -> str:
-    """The name of a class as the catalogue has it: ``OnPlane`` becomes ``on_plane``."""
+    """Return the name of a class as the catalogue has it: ``OnPlane`` becomes ``on_plane``."""
     return re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()
 
 
 @cache
 def holders(cls: type[Entity]) -> dict[str, dict[str, type[Model]]]:
-    """The fields that hold a system of blocks, each with the kinds that it can be."""
+    """Return the fields that hold a system of blocks, each with the kinds that it can be."""
     found = {name: {snake(m.__name__): m for m in kind.models} for name, kind in field_types(cls).items()}
     return {
         name: kinds
@@ -62,7 +62,7 @@ def holders(cls: type[Entity]) -> dict[str, dict[str, type[Model]]]:
 
 
 def is_many(annotation: Any) -> bool:
-    """Whether a field holds a tuple, a list in files."""
+    """Return whether a field holds a tuple, a list in files."""
     origin = get_origin(annotation)
     if origin is tuple:
         return True
@@ -117,7 +117,7 @@ class Field:
 
 
 def fields(cls: type[Model], parts: "_Definitions | None" = None) -> Iterator[Field]:
-    """The fields of a class, in the order of declaration."""
+    """Yield the fields of a class, in the order of declaration."""
     for name, info in cls.model_fields.items():
         metadata = _metadata(info)
         measure = next((item for item in metadata if isinstance(item, Measure)), None)
@@ -126,7 +126,7 @@ def fields(cls: type[Model], parts: "_Definitions | None" = None) -> Iterator[Fi
 
 
 def _metadata(info: FieldInfo) -> list[object]:
-    """What is said of a field, inside of `X | None` too."""
+    """Return what is said of a field, inside of `X | None` too."""
     inner = [item for argument in get_args(info.annotation) for item in getattr(argument, "__metadata__", ())]
     return [*info.metadata, *inner]
 
@@ -138,7 +138,7 @@ class _Definitions:
         self.found: Json = {}
 
     def model(self, cls: type[Model], *, kind: bool = False) -> Json:
-        """A reference to a class; `kind`: it stands among others and must say which it is."""
+        """Return a reference to a class; `kind`: it stands among others and must say which it is."""
         name = cls.__name__ + ("Kind" if kind else "")
         if name not in self.found:
             self.found[name] = {}  # it may hold itself
@@ -152,7 +152,7 @@ class _Definitions:
 
 
 def summary(cls: type) -> str:
-    """The first sentence of what a class says of itself."""
+    """Return the first sentence of what a class says of itself."""
     return " ".join((inspect.getdoc(cls) or "").partition("\n\n")[0].split())
 
 
@@ -170,7 +170,7 @@ def _field(info: FieldInfo, parts: _Definitions) -> Json:
 
 
 def _annotation(annotation: Any, parts: _Definitions) -> Json:
-    """The schema of a type; TypeError for one that files can't hold."""
+    """Return the schema of a type; TypeError for one that files can't hold."""
     origin, arguments = get_origin(annotation), get_args(annotation)
     if annotation in BASIC:
         return dict(BASIC[annotation])
@@ -203,7 +203,7 @@ def _member(annotation: Any, parts: _Definitions, *, kind: bool = False) -> Json
 
 
 def _constrained(found: Json, metadata: Any) -> Json:
-    """A schema with the limits and the meaning that an annotation adds."""
+    """Return a schema with the limits and the meaning that an annotation adds."""
     for item in metadata:
         match item:
             case Gt(gt=limit):
@@ -249,7 +249,7 @@ def _connection(cls: type[Connection], parts: _Definitions) -> Json:
 
 
 def words(found: Json) -> str:
-    """The schema of one field in words: ``a number in kg, greater than 0 and at most 1000000``."""
+    """Return the schema of one field in words: ``a number in kg, greater than 0 and at most 1000000``."""
     if "enum" in found:
         return "one of: " + ", ".join(map(str, found["enum"]))
     if "oneOf" in found:
@@ -263,7 +263,7 @@ def words(found: Json) -> str:
 
 
 def _limits(found: Json) -> list[str]:
-    """The limits of a number or a list, in words."""
+    """Return the limits of a number or a list, in words."""
     said = {
         "exclusiveMinimum": "greater than {}",
         "minimum": "at least {}",

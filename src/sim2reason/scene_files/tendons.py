@@ -52,7 +52,7 @@ class Path:
 
 @cache
 def directions(cls: type[Entity]) -> dict[tuple[str, str], tuple[str, int | None]]:
-    """What a file may say for the ports of an entity: (direction, connecting_point or "") to (port, side).
+    """Return what a file may say for the ports of an entity: (direction, connecting_point or "") to (port, side).
 
     An end is entered by its name. A side of a passed port is entered by its own name, if no other port or side has
     it, or as connecting_point beside the port's name.
@@ -72,7 +72,7 @@ def directions(cls: type[Entity]) -> dict[tuple[str, str], tuple[str, int | None
 
 
 def told_end(entity: str, cls: type[Entity], port: str, side: int | None) -> dict[str, Plain]:
-    """An end as a file has it, by the shortest of its names."""
+    """Return an end as a file has it, by the shortest of its names."""
     names = [said for said, meant in directions(cls).items() if meant == (port, side)]
     direction, point = min(names, key=lambda said: bool(said[1]))
     found: dict[str, Plain] = {"entity": entity, "direction": direction}
@@ -80,7 +80,7 @@ def told_end(entity: str, cls: type[Entity], port: str, side: int | None) -> dic
 
 
 def told_pairs(connection: Connection, classes: Mapping[str, type[Entity]]) -> list[list[Plain]]:
-    """A connection as pairs, in the order of travel."""
+    """Return a connection as pairs, in the order of travel."""
     first, *inner, last = connection.links
     ends = [told_end(first.entity, classes[first.entity], first.port, None)]
     for link in inner:
@@ -91,7 +91,7 @@ def told_pairs(connection: Connection, classes: Mapping[str, type[Entity]]) -> l
 
 
 def read_pair(entry: Plain, place: str, classes: Mapping[str, type[Entity]]) -> FilePair:
-    """An entry of `connections`, without its own parameters' values checked."""
+    """Return an entry of `connections`, without its own parameters' values checked."""
     if not isinstance(entry, dict):
         raise SceneError(place, "it is no mapping", "write it as: - tendon: [{entity: …, direction: …}, …]")
     keys = [key for key in entry if key in CONNECTIONS]
@@ -149,7 +149,7 @@ def _text(end: dict[str, Plain], key: str, place: str) -> str:
 
 
 def paths(pairs: list[FilePair]) -> Iterator[Path]:
-    """The connections that pairs make, in the order in which the file begins them.
+    """Yield the connections that pairs make, in the order in which the file begins them.
 
     A path is travelled as the first of its pairs is written.
     """
@@ -190,7 +190,7 @@ def _onward(
 
 
 def _path(first: FilePair, travelled: list[tuple[FilePair, int]]) -> Path:
-    """One connection from pairs in the order of travel, each with the index of the end where it begins."""
+    """Return one connection from pairs in the order of travel, each with the index of the end where it begins."""
     own: dict[str, Plain] = {}
     for pair, _ in travelled:
         if pair.kind is not first.kind:
@@ -208,15 +208,15 @@ def _path(first: FilePair, travelled: list[tuple[FilePair, int]]) -> Path:
 
 
 def _link(end: FileEnd, *, passed: bool = True) -> Link:
-    """The link of an end; of a passed port it is the side where the string leaves, so 0 means flipped."""
+    """Return the link of an end; of a passed port it is the side where the string leaves, so 0 means flipped."""
     return Link(entity=end.entity, port=end.port, flipped=passed and end.side == 0)
 
 
 def own_fields(kind: type[Connection]) -> list[str]:
-    """The parameters of a kind of connection."""
+    """Return the parameters of a kind of connection."""
     return [name for name in kind.model_fields if name != "links"]
 
 
 def own_values(connection: Connection) -> dict[str, Any]:
-    """The parameters of a connection and their values."""
+    """Return the parameters of a connection and their values."""
     return {name: getattr(connection, name) for name in own_fields(type(connection))}

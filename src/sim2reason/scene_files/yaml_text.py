@@ -47,13 +47,13 @@ _AMBIGUOUS = {"y", "n", "yes", "no", "on", "off", *TRUTH, "~", "=", "<<"}  # whe
 
 
 def shown(value: object) -> str:
-    """A value of a file as a message shows it: in one line, and not all of it if it is long."""
+    """Return a value of a file as a message shows it: in one line, and not all of it if it is long."""
     text = json.dumps(value, ensure_ascii=True, default=str)
     return text if len(text) <= 40 else f"{text[:37]}..."
 
 
 def parse(text: str, lines: Lines | None = None) -> Plain:
-    """What a text says, in dicts, lists and scalars; SceneError names the path, the line and the remedy.
+    """Return what a text says, in dicts, lists and scalars; SceneError names the path, the line and the remedy.
 
     `lines`, if given, is filled. The limits hold before anything is built.
     """
@@ -71,7 +71,7 @@ def parse(text: str, lines: Lines | None = None) -> Plain:
 
 
 def _refusal(error: YAMLError) -> SceneError:
-    """What a parser complains of, with its line; libyaml may stop at a depth of its own, before any event."""
+    """Return what a parser complains of, with its line; libyaml may stop at a depth of its own, before any event."""
     mark = getattr(error, "problem_mark", None)
     place = f"line {mark.line + 1}" if mark is not None else "the file"
     problem = " ".join(str(getattr(error, "problem", None) or error).split())
@@ -94,7 +94,7 @@ class _Reader:
         self._nodes = 0
 
     def document(self) -> Plain:
-        """The one document of the stream."""
+        """Return the one document of the stream."""
         self._parser.get_event()
         start = self._parser.get_event()
         if isinstance(start, StreamEndEvent):
@@ -192,12 +192,12 @@ class _Reader:
 
 
 def write(value: Plain) -> str:
-    """A value as YAML, the same text for the same value; every reader of YAML reads it back equal."""
+    """Return a value as YAML, the same text for the same value; every reader of YAML reads it back equal."""
     return "".join(f"{line}\n" for line in _block(value))
 
 
 def _block(value: Plain) -> Iterator[str]:
-    """The lines of a value; collections of scalars stand on one line."""
+    """Yield the lines of a value; collections of scalars stand on one line."""
     flow = _flow(value)
     if flow is not None:
         yield flow
@@ -212,7 +212,7 @@ def _block(value: Plain) -> Iterator[str]:
 
 
 def _entry(head: str, member: Plain) -> Iterator[str]:
-    """A key and its value: behind it, or below it; lists are not indented further."""
+    """Yield a key and its value: behind it, or below it; lists are not indented further."""
     first, *rest = _block(member)
     if _flow(member) is not None:
         yield f"{head} {first}"
@@ -223,7 +223,7 @@ def _entry(head: str, member: Plain) -> Iterator[str]:
 
 
 def _flow(value: Plain) -> str | None:
-    """A scalar, or a short collection of scalars, in one line; None for anything else."""
+    """Return a scalar, or a short collection of scalars, in one line; None for anything else."""
     if not isinstance(value, dict | list):
         return _scalar_text(value)
     members = list(value.values()) if isinstance(value, dict) else value
@@ -246,7 +246,7 @@ def _scalar_text(value: object) -> str:
 
 
 def _float_text(value: float) -> str:
-    """The repr, with the point that YAML 1.1 wants before an exponent."""
+    """Return the repr, with the point that YAML 1.1 wants before an exponent."""
     text = repr(value)
     mantissa, e, exponent = text.partition("e")
     return f"{mantissa}.0e{exponent}" if e and "." not in mantissa else text

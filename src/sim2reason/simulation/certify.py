@@ -204,12 +204,12 @@ def _told(event: Event) -> str:
 
 
 def _telling(events: Iterable[Event]) -> list[Event]:
-    """Those that must be matched."""
+    """Return those that must be matched."""
     return [event for event in events if event.changes_motion]
 
 
 def _match(recorded: list[Event], witness: list[Event], near: float) -> tuple[tuple[Match, ...], Event | None]:
-    """The events that both saw, and the first that only one of them saw, or saw out of order."""
+    """Return the events that both saw, and the first that only one of them saw, or saw out of order."""
     left, matched, single = list(witness), list[Match](), list[Event]()
     for event in recorded:
         found = next((other for other in left if _same(event, other, near)), None)
@@ -303,20 +303,20 @@ class _Table:
                 self._over[channel] = over
 
     def _first(self, bad: Flags) -> float:
-        """The last good time before the first bad one; the end if all are good."""
+        """Return the last good time before the first bad one; the end if all are good."""
         if not bad.any():
             return self._end
         first = int(bad.argmax())
         return float(self._times[self._heard][first - 1]) if first else 0.0
 
     def first_over(self) -> tuple[float, Channel | None]:
-        """When the first channel leaves the tolerance, and which."""
+        """Return when the first channel leaves the tolerance, and which."""
         channel = min(self._over, key=lambda channel: self._over[channel], default=None)
         return (self._end, None) if channel is None else (self._over[channel], channel)
 
 
 def _joined(a: State, b: State) -> State:
-    """Both motions as one, one after the other, so that each quantity is evaluated once."""
+    """Return both motions as one, one after the other, so that each quantity is evaluated once."""
 
     def forces(x: Mapping[str, Array], y: Mapping[str, Array]) -> dict[str, Array]:
         return {name: np.concatenate([x[name], y[name]]) for name in x}

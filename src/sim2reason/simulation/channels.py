@@ -15,7 +15,7 @@ class Channel(NamedTuple):
 
 
 def channels(mechanism: Mechanism) -> Iterator[tuple[Channel, Quantity]]:
-    """The channels of a mechanism, quantity by quantity in the order of their names."""
+    """Yield the channels of a mechanism, quantity by quantity in the order of their names."""
     for name, quantity in QUANTITIES.items():
         for subject in quantity.subjects(mechanism):
             yield Channel(subject, name), quantity

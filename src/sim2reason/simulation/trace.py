@@ -79,7 +79,7 @@ def happened(events: Iterable[Event], until: float) -> tuple[Event, ...]:
 
 @dataclass(frozen=True)
 class Trace:
-    """A recorded motion with its events, in order of time, and the time until which it is valid.
+    """A simulated motion: its states at recorded times, its events, and the time until which it is valid.
 
     Attributes:
         engine: Name of the engine.
@@ -244,7 +244,7 @@ class Engine(Protocol):
     """What simulates a mechanism."""
 
     def __call__(self, mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> Trace:
-        """The motion at `times` (m,), strictly increasing from 0, in seconds.
+        """Return the motion at `times` (m,), strictly increasing from 0, in seconds.
 
         `tolerance` is what a step may err by, relative to the state; an engine that can't choose does its best.
         """

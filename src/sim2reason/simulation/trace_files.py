@@ -69,7 +69,7 @@ def write_trace(trace: Trace, path: str | Path) -> None:
 
 
 def read_trace(path: str | Path) -> Recording:
-    """What `write_trace` wrote.
+    """Return what `write_trace` wrote.
 
     Raises:
         SceneError: the file is not a trace.

@@ -51,13 +51,13 @@ class Column(NamedTuple):
     change: bool = False  # it is the change from one sample to the next that is judged
 
     def values(self, state: State, chosen: Flags) -> Array:
-        """What is judged, at chosen samples; a change stands at the later of its two."""
+        """Return what is judged, at chosen samples; a change stands at the later of its two."""
         read = self.read(state)[chosen]
         return np.diff(read) / np.diff(state.times[chosen]) if self.change else read
 
 
 def truncate(trace: Trace, window: int = WINDOW) -> Trace:
-    """The trace, to be used no longer than the paper's rule finds nothing in it.
+    """Return the trace, to be used no longer than the paper's rule finds nothing in it.
 
     The rule: over a window, max |aᵢ − µ| ≥ 5σ. It is applied to every acceleration and force in
     the trace, events or no events. Raises ValueError for a window in which it can't fire.
@@ -101,7 +101,7 @@ def _segments(trace: Trace) -> list[tuple[float, float]]:
 
 
 def _columns(mechanism: Mechanism, state: State) -> Iterator[Column]:
-    """What jumps at a transition: accelerations, also as v changes, and all forces known."""
+    """Yield what jumps at a transition: accelerations, also as v changes, and all forces known."""
     for number, coordinate in enumerate(mechanism.coordinates):
         yield Column(f"acceleration of {coordinate.name}", partial(_acceleration, number))
         yield Column(f"change of velocity of {coordinate.name}", partial(_velocity, number), change=True)
@@ -135,7 +135,7 @@ def _friction(name: str, state: State) -> Array:
 def _first(
     trace: Trace, column: Column, chosen: Flags, flags: list[tuple[int, int]], span: tuple[float, float]
 ) -> tuple[int, float] | None:
-    """The first flagged sample that is no smooth curve's, by its number in the trace and its time, s."""
+    """Return the first flagged sample that is no smooth curve's, by its number in the trace and its time, s."""
     numbers = np.flatnonzero(chosen)[1 if column.change else 0 :]
     times = trace.state.times
     for first, last in flags:
@@ -146,7 +146,7 @@ def _first(
 
 
 def _smooth(trace: Trace, column: Column, low: float, high: float) -> bool:
-    """Whether a column becomes straight between two instants as one looks closer at where it bends the most."""
+    """Return whether a column becomes straight between two instants as one looks closer at where it bends the most."""
     bends: list[float] = []
     for _ in range(ZOOMS + 1):
         times = np.linspace(low, high, PIECES + 1)
@@ -182,7 +182,7 @@ def _deviations(values: Array, window: int) -> list[tuple[int, int]]:
 
 
 def _bends(values: Array, window: int) -> list[tuple[int, int]]:
-    """The stretches of four samples whose third difference is far above its median nearby, in order."""
+    """Return the stretches of four samples whose third difference is far above its median nearby, in order."""
     if len(values) < 4 or not np.isfinite(values).all():
         return []
     third = np.abs(np.diff(values, 3))

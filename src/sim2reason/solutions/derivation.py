@@ -23,7 +23,7 @@ def derivation(query: Query, study: Study, words: Words) -> Solution:
 
 
 def is_derived(query: Query, study: Study) -> bool:
-    """Whether that derivation was worked out before, so that looking at it costs little."""
+    """Return whether that derivation was worked out before, so that looking at it costs little."""
     return study.knows((DERIVATION, query)) or shortest_known(query, study) is not None
 
 

@@ -123,7 +123,7 @@ def unknowns_together(found: Solution) -> int:
 
 
 def _unknowns_of_laws(found: Solution) -> Iterator[set[str]]:
-    """The names in each law that have no value where it is told; a law that only defines a name has none."""
+    """Yield the names in each law that have no value where it is told; a law that only defines a name has none."""
     known: set[str] = set()
     for step in found.steps:
         for relation in step.relations:

@@ -18,7 +18,7 @@ class PartsSolution(Solution):
 
     @property
     def derived(self) -> bool:
-        """Whether the answers to all parts are derived."""
+        """Return whether the answers to all parts are derived."""
         return bool(self.parts) and all(part.derived for part in self.parts)
 
     @property
@@ -46,13 +46,13 @@ class ChosenSolution(Solution):
 
 
 def chosen(solution: Solution, letter: str) -> Solution:
-    """The solution of a multiple choice from that of its question."""
+    """Return the solution of a multiple choice from that of its question."""
     held = {each.name: getattr(solution, each.name) for each in fields(Solution)}
     return ChosenSolution(**held, letter=letter)
 
 
 def together(parts: Sequence[Solution]) -> Solution:
-    """One solution of all parts; without an answer where a part has none, and then it says of which."""
+    """Return one solution of all parts; without an answer where a part has none, and then it says of which."""
     for label, part in zip(LABELS, parts, strict=False):
         if part.answer is None:
             return Solution("", reason=f"part ({label}): {part.reason}")
@@ -75,7 +75,7 @@ def _told(part: Solution) -> str:
 
 
 def _in_one_row(parts: Sequence[Solution]) -> Iterator[Step]:
-    """The steps of all parts, counted from zero."""
+    """Yield the steps of all parts, counted from zero."""
     count = 0
     for part in parts:
         for step in part.steps:

@@ -119,7 +119,7 @@ class Inversion:
         return formula, ZERO
 
     def _short(self, formula: Expression) -> Expression:
-        """A formula with numbers for what is known, if it is too long to be read."""
+        """Return a formula with numbers for what is known, if it is too long to be read."""
         if len(formula.latex()) <= LONG:
             return formula
         plain = tidied(formula, self.unknown)
@@ -153,7 +153,7 @@ class Inversion:
         return replace(found, guarded=True) if self._guarded and isinstance(found, Worked) else found
 
     def _in_numbers(self, name: str, formula: Expression) -> Expression:
-        """A formula of one unknown name with numbers for all else."""
+        """Return a formula of one unknown name with numbers for all else."""
         return settled(formula, frozenset({name}), self.book.worked)
 
     def _others(self, name: str, formula: Expression, value: Expression) -> Sequence[float]:
@@ -234,7 +234,7 @@ class Inversion:
         step.say(f"With it, {joined(told)}." if told else "")
 
     def _leading(self, at: str) -> list[str]:
-        """The names on which one hangs whose values are unknown, each after those that it hangs on itself."""
+        """Return the names on which one hangs whose values are unknown, each after those that it hangs on itself."""
         formulas, waiting, found = self.book.formulas, [at], set[str]()
         while waiting:
             more = {*self._formula(waiting.pop()).symbols()} & (self.book.hidden & formulas.keys()) - found

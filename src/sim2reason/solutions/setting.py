@@ -79,7 +79,7 @@ class Setting:
 
     @cached_property
     def time(self) -> float:
-        """When all that the answer depends on has happened, s."""
+        """Return when all that the answer depends on has happened, s."""
         found = KINDS[self.query.kind].time(self.query, self.study)
         return 0.0 if found is None else found
 
@@ -175,7 +175,7 @@ class Setting:
         return held.body in self.pulleys and any(held.at)
 
     def _by_one_end(self, found: Mapping[str, str]) -> dict[str, str]:
-        """The strings that are fixed at an end of which the text has no name."""
+        """Return the strings that are fixed at an end of which the text has no name."""
         named: dict[str, str] = {}
         for line in self.mechanism.strings:
             if line.name in found:
@@ -200,11 +200,11 @@ class Setting:
         return name in self._given_names
 
     def given(self, path: str) -> StatedNumber | None:
-        """A number that the text says."""
+        """Return a number that the text says."""
         return self.lexicon.givens.get(path)
 
     def towards(self, way: Vector, *, on: str | None = None) -> str:
-        """A direction in words; `on` is the body on whose face it lies, if that can move."""
+        """Return a direction in words; `on` is the body on whose face it lies, if that can move."""
         x, y, z = way
         if abs(z) > 1.0 - LEVEL:
             return "upward" if z > 0.0 else "downward"

@@ -49,7 +49,7 @@ class Relation:
         return f"${text}$"
 
     def symbols(self) -> Iterator[str]:
-        """All names in it."""
+        """Yield all names in it."""
         yield from self.left.symbols()
         yield from self.right.symbols()
 
@@ -155,7 +155,7 @@ class Step:
 
     @property
     def need(self) -> Need:
-        """What mathematics it takes; a check on which nothing rests takes none."""
+        """Return what mathematics it takes; a check on which nothing rests takes none."""
         if self.integration is not None:
             return Need.INTEGRATION
         held = (relation for relation in self.relations if relation.role not in CHECKS)
@@ -227,7 +227,7 @@ class Solution:
         return rf" = {number} \approx \boxed{{{rounded(answer * factor, 3)}}}{unit}"
 
     def said(self, value: float) -> float:
-        """What the goal comes to, as the answer counts it."""
+        """Return what the goal comes to, as the answer counts it."""
         return degrees(value) if self.unit == DEGREES else value * self.scale
 
     @property
@@ -237,5 +237,5 @@ class Solution:
 
 
 def with_unit(value: float, unit: str, digits: int = DIGITS) -> str:
-    """A number with its unit, in LaTeX; an angle in degrees is known in radians."""
+    """Return a number with its unit, in LaTeX; an angle in degrees is known in radians."""
     return f"{rounded(degrees(value) if unit == DEGREES else value, digits)}{unit}"

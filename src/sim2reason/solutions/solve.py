@@ -20,7 +20,7 @@ from sim2reason.solutions.closed_forms.ingredients import with_ingredients
 from sim2reason.solutions.collisions.long_chains import in_rows, without_repeats
 from sim2reason.solutions.collisions.placing import SOLVED, in_order
 from sim2reason.solutions.laws.either_way import needs_modulus
-from sim2reason.solutions.laws.tension_checks import after_what_they_rest_on
+from sim2reason.solutions.laws.strings_and_pulleys import after_what_they_rest_on
 from sim2reason.solutions.multipart.renaming import times_in_sequence
 from sim2reason.solutions.opposite_sign import is_magnitude
 from sim2reason.solutions.reverse import Inversion, forward
@@ -111,7 +111,7 @@ def by(strategy: Strategy, setting: Setting, *, shown: bool = True) -> Solution:
 
 
 def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | None = None, *, shown: bool) -> Solution:
-    """A solution in numbers; in symbols where it is said how the question's own numbers are `called`."""
+    """Return a solution in numbers; in symbols where it is said how the question's own numbers are `called`."""
     asks_time = setting.sought is not None and not setting.unknown
     book = Book(setting.words.units, asks_time=asks_time, called=called, most=setting.most)
     for path, given in setting.lexicon.givens.items():
@@ -142,7 +142,7 @@ def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | N
 
 
 def _found(strategy: Strategy, setting: Setting, book: Book, goal: str, steps: tuple[Step, ...]) -> Solution:
-    """What a strategy wrote, as a solution that has no answer yet."""
+    """Return what a strategy wrote, as a solution that has no answer yet."""
     counted = not setting.unknown and setting.sought is None and KINDS[setting.query.kind].measured(setting.query).whole
     found = Solution(
         strategy.name,
@@ -219,7 +219,7 @@ def _told(book: Book, goal: str, late: AbstractSet[str]) -> list[Step]:
 
 
 def _needed(steps: list[Step], goal: str) -> list[Step]:
-    """The steps that lead to the goal; what gives no name is kept, since what laws say was chosen before.
+    """Return the steps that lead to the goal; what gives no name is kept, since what laws say was chosen before.
 
     So is what assumptions are verified by.
     """
@@ -236,7 +236,7 @@ def _needed(steps: list[Step], goal: str) -> list[Step]:
 
 
 def _givens(setting: Setting, book: Book, steps: list[Step], goal: str) -> Step:
-    """What the solution takes from the text."""
+    """Return what the solution takes from the text."""
     used = {name for step in steps for name in step.symbols()} | {goal}
     said: dict[str, str] = {}
     relations: list[Relation] = []

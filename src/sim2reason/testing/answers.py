@@ -27,12 +27,12 @@ class Difference:
 
     @property
     def text(self) -> str:
-        """What is asked and both answers."""
+        """Return what is asked and both answers."""
         return f"{self.asked}: {self.found:.9g} in place of {self.expected:.9g}"
 
 
 def same(dimension: Dimension) -> float:
-    """No factor: all answers are to stay as they are."""
+    """Return no factor: all answers are to stay as they are."""
     del dimension
     return 1.0
 
@@ -72,7 +72,7 @@ def _values(targets: list[Target], trace: Trace, times: list[float], stretch: fl
 
 
 def _events(trace: Trace, end: float, stretch: float) -> list[Event]:
-    """What happens between start and end, at times by the clock of the first motion.
+    """Return what happens between start and end, at times by the clock of the first motion.
 
     At both ends rounding may decide, and for turns everywhere.
     """

@@ -8,12 +8,12 @@ from sim2reason.dsl.vectors import Maths, Number, Region, Triple, Vector
 
 
 def polar(vector: Triple) -> Triple:
-    """The image of a place, a velocity, a force or a direction."""
+    """Return the image of a place, a velocity, a force or a direction."""
     return (-vector[0], vector[1], vector[2])
 
 
 def axial(vector: Vector) -> Vector:
-    """The image of an axis of turning: in a mirror, what is right-handed about it turns left-handed."""
+    """Return the image of an axis of turning: in a mirror, what is right-handed about it turns left-handed."""
     return (vector[0], -vector[1], -vector[2])
 
 
@@ -24,11 +24,11 @@ class MirroredLaw:
     law: Law
 
     def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
-        """The image of the force at the image of the place."""
+        """Return the image of the force at the image of the place."""
         return polar(self.law.force(polar(place), polar(velocity), time, maths))
 
     def potential(self, place: Triple, maths: Maths) -> Number | None:
-        """The potential at the image of the place."""
+        """Return the potential at the image of the place."""
         return self.law.potential(polar(place), maths)
 
     @property
@@ -48,7 +48,7 @@ class MirroredRegion:
     region: Region
 
     def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
-        """Those of the image of the place."""
+        """Return those of the image of the place."""
         return self.region.margins(polar(place), maths)
 
     def moved(self, by: Vector) -> "MirroredRegion":
@@ -57,7 +57,7 @@ class MirroredRegion:
 
 
 def mirrored(mechanism: Mechanism) -> Mechanism:
-    """The mirror image: each of its coordinates goes as that of the mechanism does."""
+    """Return the mirror image: each of its coordinates goes as that of the mechanism does."""
     return replace(
         mechanism,
         bodies=tuple(map(_body, mechanism.bodies)),

@@ -24,7 +24,7 @@ POINTS, WEIGHTS = np.polynomial.legendre.leggauss(NODES)
 
 
 def intervals(trace: Trace, end: float) -> list[tuple[float, float]]:
-    """The stretches between events, s, up to the end of what is described."""
+    """Return the stretches between events, s, up to the end of what is described."""
     times = [event.time for event in trace.events if event.changes_motion and 0.0 < event.time < end]
     return [(a, b) for a, b in pairwise([0.0, *sorted(times), end]) if b - a > 1e-9 * end]
 
@@ -61,7 +61,7 @@ def integrals(trace: Trace, start: float, stop: float, integrand: Callable[[Stat
 
 
 def _pieces(trace: Trace, pieces: Array, integrand: Callable[[State], Array]) -> tuple[Array, Array]:
-    """The integrals of k functions and of their absolute values over m pieces, both (k, m)."""
+    """Return the integrals of k functions and of their absolute values over m pieces, both (k, m)."""
     half, middle = 0.5 * (pieces[:, 1] - pieces[:, 0]), pieces.mean(axis=1)
     times = middle[:, None] + half[:, None] * POINTS
     values = integrand(trace.sample(times.ravel())).reshape(-1, *times.shape)
@@ -69,17 +69,17 @@ def _pieces(trace: Trace, pieces: Array, integrand: Callable[[State], Array]) ->
 
 
 def edges(start: float, stop: float) -> Array:
-    """The instants just after the start and just before the stop of an interval, s."""
+    """Return the instants just after the start and just before the stop of an interval, s."""
     return np.array([start, stop - 1e-12 * max(stop, stop - start)])
 
 
 def kinetic(state: State) -> Array:
-    """The kinetic energy of all bodies, J, (n,)."""
+    """Return the kinetic energy of all bodies, J, (n,)."""
     return np.sum([QUANTITIES["kinetic energy"].evaluate(state, name) for name in state.mechanism.body], axis=0)
 
 
 def powers(state: State) -> dict[str, Array]:
-    """The power of everything that does work, W, by what it is; NaN where the motion leaves a force open."""
+    """Return the power of everything that does work, W, by what it is; NaN where the motion leaves a force open."""
     mechanism, found = state.mechanism, dict[str, Array]()
     g = np.array(mechanism.gravity)
     for body in mechanism.bodies:
@@ -104,18 +104,18 @@ def _velocity(state: State, body: str) -> Array:
 
 
 def _working(force: Array, rate: Array) -> Array:
-    """A force times a rate; nothing where there is no rate, even if the force is not determined."""
+    """Return a force times a rate; nothing where there is no rate, even if the force is not determined."""
     idle = np.abs(rate) <= NOTHING
     return np.where(idle, 0.0, np.where(idle, 0.0, force) * rate)
 
 
 def _rate(state: State, line: Line) -> Array:
-    """How fast a line's free length grows, with what wheels give out, m/s."""
+    """Return how fast a line's free length grows, with what wheels give out, m/s."""
     return state.free_length(line)[1]
 
 
 def acting(state: State, force: Force) -> Array:
-    """A given force at all instants, N, (n, 3): by its law, inside its region."""
+    """Return a given force at all instants, N, (n, 3): by its law, inside its region."""
     center = state.frames.center(force.body)
     found = state.vector(force.law.force(center.place, center.velocity, state.times, np))
     if force.region is None:
@@ -125,7 +125,7 @@ def acting(state: State, force: Force) -> Array:
 
 
 def attractions(state: State) -> Iterator[tuple[tuple[str, str], Array]]:
-    """Every two bodies that attract each other, with the force on the first of them, N, (n, 3)."""
+    """Yield every two bodies that attract each other, with the force on the first of them, N, (n, 3)."""
     mechanism = state.mechanism
     for pair in mechanism.attractions:
         apart = state.vector(minus(state.frames.center(pair.b).place, state.frames.center(pair.a).place))
@@ -145,7 +145,7 @@ def movable(mechanism: Mechanism) -> Iterator[Coordinate]:
 
 
 def carried(mechanism: Mechanism, root: str) -> set[str | None]:
-    """A body and all that it carries, directly or not."""
+    """Return a body and all that it carries, directly or not."""
     found: set[str | None] = {root}
     for body in mechanism.bodies:
         if body.parent in found:
@@ -154,14 +154,14 @@ def carried(mechanism: Mechanism, root: str) -> set[str | None]:
 
 
 def momentum(state: State, coordinate: Coordinate) -> Array:
-    """The momentum of a body and all that it carries along a way of its own, kg m/s, (n,)."""
+    """Return the momentum of a body and all that it carries along a way of its own, kg m/s, (n,)."""
     names = carried(state.mechanism, coordinate.body)
     parts = [QUANTITIES["momentum"].evaluate(state, name) for name in state.mechanism.body if name in names]
     return np.sum(parts, axis=0) @ np.array(coordinate.axis)
 
 
 def push(state: State, coordinate: Coordinate) -> Array:
-    """All forces from outside on a body and what it carries along a way of its own, N, (n,)."""
+    """Return all forces from outside on a body and what it carries along a way of its own, N, (n,)."""
     mechanism, axis = state.mechanism, np.array(coordinate.axis)
     names = carried(mechanism, coordinate.body)
     mass = sum(body.mass for body in mechanism.bodies if body.name in names)

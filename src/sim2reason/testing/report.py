@@ -37,11 +37,11 @@ class Report:
     findings: tuple[Finding, ...] = ()
 
     def __iter__(self) -> Iterator[Finding]:
-        """The findings."""
+        """Return the findings."""
         return iter(self.findings)
 
     def __len__(self) -> int:
-        """How many findings there are."""
+        """Return how many findings there are."""
         return len(self.findings)
 
     def __repr__(self) -> str:
@@ -63,7 +63,7 @@ class Report:
         return f"{self.entity}: {len(self.findings)} finding{'s' * (len(self.findings) != 1)}, by {made}\n\n{told}"
 
     def _told(self, check: str) -> str:
-        """The first findings of a check in full, and how many more there are."""
+        """Return the first findings of a check in full, and how many more there are."""
         found = [finding for finding in self.findings if finding.check == check]
         more = [f"{check}: and {len(found) - FULL} more"] if len(found) > FULL else []
         return "\n\n".join([*(finding.text for finding in found[:FULL]), *more])

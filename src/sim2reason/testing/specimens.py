@@ -48,7 +48,7 @@ class Specimen:
 
     @cached_property
     def words(self) -> Words:
-        """What questions need to know of its text."""
+        """Return what questions need to know of its text."""
         return words_of(self.description)
 
     @cached_property
@@ -76,7 +76,7 @@ class Specimen:
 
     @property
     def moves(self) -> bool:
-        """Whether it has a motion that is worth looking at."""
+        """Return whether it has a motion that is worth looking at."""
         if self.end <= SHORT * self.scene.horizon:
             return False
         state = self.study.trace.state
@@ -101,12 +101,12 @@ class Specimens:
         return tuple(member for member in self.members if member.moves)
 
     def some(self, number: int) -> tuple[Specimen, ...]:
-        """The first so many of them, or all if the look is deep."""
+        """Return the first so many of them, or all if the look is deep."""
         return self.members if self.deep else self.members[:number]
 
 
 def specimen(cls: type[Entity], seed: int) -> Specimen:
-    """A random scene of an entity class, if possible one that can be asked about: the same for the same seed.
+    """Return a random scene of an entity class, if possible one that can be asked about: the same for the same seed.
 
     Raises:
         DrawError: nothing that fits together was drawn within the budget; the message tells the last refusal.

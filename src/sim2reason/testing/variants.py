@@ -17,7 +17,7 @@ from sim2reason.questions import Study
 
 
 def changed(scene: Scene, numbers: Mapping[str, float]) -> Scene | None:
-    """A scene with several numbers changed at once, by address; None if that can not be."""
+    """Return a scene with several numbers changed at once, by address; None if that can not be."""
     try:
         entities = tuple(rebuilt(n, entity=_with(n.entity, n.name, numbers)) for n in scene.entities)
         joined = tuple(_with(c, f"{c.key}_{i}", numbers) for i, c in enumerate(scene.connections, 1))
@@ -39,7 +39,7 @@ def _with(value: Any, address: str, numbers: Mapping[str, float]) -> Any:  # noq
 
 
 def studied(scene: Scene | None, duration: float) -> Study | None:
-    """A scene with its motion; None if it has none."""
+    """Return a scene with its motion; None if it has none."""
     if scene is None:
         return None
     try:
@@ -49,7 +49,7 @@ def studied(scene: Scene | None, duration: float) -> Study | None:
 
 
 def spoken(scene: Scene, seed: int = 0) -> dict[str, Parameter]:
-    """The numbers that a text speaks as numbers, by address; what a word tells is not among them."""
+    """Return the numbers that a text speaks as numbers, by address; what a word tells is not among them."""
     found: dict[str, Parameter] = {}
 
     def heard(parameter: Parameter, symbol: str) -> str:
@@ -61,7 +61,7 @@ def spoken(scene: Scene, seed: int = 0) -> dict[str, Parameter]:
 
 
 def told_by_word(scene: Scene, path: str) -> bool:
-    """Whether a word tells a number, as *smooth* tells a friction of zero."""
+    """Return whether a word tells a number, as *smooth* tells a friction of zero."""
     owner, _, name = path.rpartition(".")
     body = scene.bodies.get(owner)
     if body is not None:

@@ -29,6 +29,6 @@ class Curriculum(BaseModel):
         return self.floor + 4.0 * p * (1.0 - p)
 
     def after(self, rate: float | None, seen: float) -> float:
-        """The pass rate of a cell after a group in which the share `seen` was right."""
+        """Return the pass rate of a cell after a group in which the share `seen` was right."""
         before = UNKNOWN if rate is None else rate
         return self.memory * before + (1.0 - self.memory) * seen

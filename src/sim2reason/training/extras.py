@@ -18,7 +18,7 @@ External = Any
 
 
 def library(name: str) -> External:
-    """The module of that name; MissingExtraError, which says what to install, if it is not there."""
+    """Return the module of that name; MissingExtraError, which says what to install, if it is not there."""
     return optional(name, EXTRA)
 
 
@@ -39,7 +39,7 @@ def without_cudnn_attention() -> None:
 
 
 def versions() -> dict[str, str]:
-    """Those of the libraries that decide what is trained, as far as they are installed."""
+    """Return those of the libraries that decide what is trained, as far as they are installed."""
     found = dict[str, str]()
     for name in LIBRARIES:
         try:
@@ -50,5 +50,5 @@ def versions() -> dict[str, str]:
 
 
 def is_main_process() -> bool:
-    """Whether this is the only process of a run, or the first of several that accelerate or torchrun started."""
+    """Return whether this is the only process of a run, or the first of several that accelerate or torchrun started."""
     return bool(library("accelerate").PartialState().is_main_process)

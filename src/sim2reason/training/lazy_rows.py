@@ -30,11 +30,11 @@ class Rows(Protocol):
     """Stored rows, as a list or a dataset of Hugging Face holds them."""
 
     def __len__(self) -> int:
-        """How many there are."""
+        """Return how many there are."""
         ...
 
     def __getitem__(self, number: int, /) -> Mapping[str, Any]:
-        """One row."""
+        """Return one row."""
         ...
 
 
@@ -59,7 +59,7 @@ class LazySettings(Record):
 
     @classmethod
     def read(cls, path: Path | str) -> "LazySettings":
-        """What a file says; DatasetError, in one line, for what it may not say."""
+        """Return what a file says; DatasetError, in one line, for what it may not say."""
         try:
             return cls.model_validate(settings_in(Path(path)))
         except ValidationError as error:
@@ -68,7 +68,7 @@ class LazySettings(Record):
             raise DatasetError(str(error)) from None
 
     def problems(self) -> LazyProblems:
-        """The problems; it raises what `generate` does."""
+        """Return the problems; it raises what `generate` does."""
         config = configured(
             items=self.items,
             recipe=self.recipe,
@@ -118,11 +118,11 @@ class LazyRows:
         self._order: tuple[int, np.ndarray[Any, np.dtype[np.int64]]] = (-1, np.zeros(0, np.int64))
 
     def __len__(self) -> int:
-        """How many rows there are."""
+        """Return how many rows there are."""
         return self._settings.items
 
     def __getitem__(self, number: int) -> dict[str, Any]:
-        """A row; IndexError beyond their number, DrawError where no problem is found."""
+        """Return a row; IndexError beyond their number, DrawError where no problem is found."""
         if not 0 <= number < len(self):
             raise IndexError(f"row {number} of {len(self)}")
         drawn = number * self._share.numerator // self._share.denominator

@@ -23,7 +23,7 @@ def muon_with_adamw(
     learning_rate: float,
     weight_decay: float = 0.0,
 ) -> External:
-    """An optimizer of all parameters of a model that are trained.
+    """Return an optimizer of all parameters of a model that are trained.
 
     Muon has the matrices of hidden layers, at `muon_learning_rate`. AdamW has embeddings, the last layer, and what is
     no matrix, at `learning_rate`; vectors, such as those of normalisation, do not decay. A step of Muon has a norm of
@@ -48,7 +48,7 @@ def muon_with_adamw(
 
 @cache
 def _together() -> External:
-    """The class, made when torch is there."""
+    """Return the class, made when torch is there."""
     torch = library("torch")
 
     class Together(torch.optim.Optimizer):

@@ -34,7 +34,7 @@ class Prefetcher:
         """That other processes have spent on problems so far, asked for or not."""
 
     def at(self, source: ProblemSource, cell: str, index: int) -> Problem | None:
-        """The problem, and an order for those after it."""
+        """Return the problem, and an order for those after it."""
         self.order(source, cell, index)
         found = self._ordered.pop((source.name, cell, index), None)
         if found is not None:
@@ -67,7 +67,7 @@ class Prefetcher:
 
 @contextmanager
 def prefetching(workers: int, depth: int) -> Generator[Prefetcher]:
-    """A store whose problems so many processes make; none: each is made when it is asked for."""
+    """Return a store whose problems so many processes make; none: each is made when it is asked for."""
     if not workers:
         yield Prefetcher(None, depth)
         return

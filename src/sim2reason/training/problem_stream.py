@@ -75,7 +75,7 @@ class ProblemStream:
             self._at_or_after(key, self.cursor.next.get(key, 0))
 
     def next_prompts(self, count: int) -> list[dict[str, Any]]:
-        """The next prompts, as rows that a trainer takes.
+        """Return the next prompts, as rows that a trainer takes.
 
         Raises:
             TrainingError: a cell whose requests no draw fills.
@@ -83,7 +83,7 @@ class ProblemStream:
         return [problem.row(chat=self.chat) for problem in self.problems(count)]
 
     def problems(self, count: int) -> list[Problem]:
-        """The same, as problems."""
+        """Return the same, as problems."""
         return [self._next() for _ in range(count)]
 
     def observe(self, row: Mapping[str, Any], rewards: Sequence[float]) -> None:
@@ -94,7 +94,7 @@ class ProblemStream:
         rates[key] = (self.curriculum or Curriculum()).after(rates.get(key), passed)
 
     def state(self) -> JsonValue:
-        """The place after the last prompt."""
+        """Return the place after the last prompt."""
         return self.cursor.model_dump(mode="json")
 
     def restore(self, state: JsonValue) -> None:
@@ -109,7 +109,7 @@ class ProblemStream:
         self.begin()
 
     def shares(self) -> dict[str, float]:
-        """The share of each cell in the next prompts."""
+        """Return the share of each cell in the next prompts."""
         found: dict[str, float] = {}
         whole = sum(source.weight for source in self.sources)
         for source in self.sources:
@@ -132,7 +132,7 @@ class ProblemStream:
         return found
 
     def _at_or_after(self, key: str, start: int) -> tuple[int, Problem]:
-        """The first problem of a cell from an index on, and its own."""
+        """Return the first problem of a cell from an index on, and its own."""
         source, cell = self._cells[key]
         for index in range(start, start + EMPTY):
             found = self.prefetcher.at(source, cell, index)

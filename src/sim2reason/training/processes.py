@@ -30,7 +30,7 @@ Told: TypeAlias = tuple[str, int] | int | Sim2ReasonError
 
 
 def launched() -> bool:
-    """Whether this is one of several processes already, which we, accelerate or torchrun started."""
+    """Return whether this is one of several processes already, which we, accelerate or torchrun started."""
     return "WORLD_SIZE" in os.environ
 
 

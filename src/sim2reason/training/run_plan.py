@@ -59,7 +59,7 @@ def claim(
 
 
 def _difference(file: Path, settings: Mapping[str, JsonValue]) -> str:
-    """The first setting that a plan has otherwise; empty if there is none."""
+    """Return the first setting that a plan has otherwise; empty if there is none."""
     try:
         before = TrainingPlan.model_validate_json(file.read_bytes()).settings
     except ValidationError:
@@ -77,7 +77,7 @@ def _first(one: Mapping[str, JsonValue], other: Mapping[str, JsonValue]) -> str:
 
 
 def _only(folder: Path, known: AbstractSet[Path]) -> bool:
-    """Whether all that a folder holds is one of these, lies in one, or is what a kill left of writing one."""
+    """Return whether all that a folder holds is one of these, lies in one, or is what a kill left of writing one."""
     held = (path for path in folder.rglob("*") if not path.is_dir() and path.suffix != TEMPORARY)
     return all(known & {path, *path.parents} for path in held)
 
@@ -90,7 +90,7 @@ def _remove(path: Path) -> None:
 
 
 def result_in(folder: Path, kind: type[R]) -> R | None:
-    """What came of a run; None if it is not finished, TrainingError if the file is damaged."""
+    """Return what came of a run; None if it is not finished, TrainingError if the file is damaged."""
     file = folder / RESULT
     if not file.is_file():
         return None

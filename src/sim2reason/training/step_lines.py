@@ -30,6 +30,6 @@ class StepLines:
             os.fsync(file.fileno())
 
     def read(self) -> list[str]:
-        """The whole lines so far."""
+        """Return the whole lines so far."""
         whole = self.path.read_bytes().split(b"\n")[:-1] if self.path.is_file() else []
         return [line.decode() for line in whole]

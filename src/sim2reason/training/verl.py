@@ -45,5 +45,5 @@ class LazyDataset(_verl.RLHFDataset):
         return min(count, self.max_samples) if self.max_samples > 0 else count
 
     def __getstate__(self) -> dict[str, Any]:
-        """All of it, so that a process that is not forked has the rows too; verl's own leaves them out."""
+        """Return all of it, so that a process that is not forked has the rows too; verl's own leaves them out."""
         return dict(self.__dict__)

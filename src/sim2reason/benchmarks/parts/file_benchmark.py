@@ -43,14 +43,14 @@ class FileBenchmark(Benchmark):
 
     @property
     def path(self) -> Path:
-        """Where the file lies, once it is there."""
+        """Return where the file lies, once it is there."""
         if self.hub is not None:
             return fetched(self.hub)
         assert self.file is not None
         return self.file
 
     def problems(self) -> Iterator[BenchmarkItem]:
-        """The problems of all rows that pass the filters."""
+        """Yield the problems of all rows that pass the filters."""
         path, subjects = self.path, set[str]()
         for number, row in enumerate(rows(path, self.sha256)):
             subject = self.subject_of(row)
@@ -78,22 +78,22 @@ class FileBenchmark(Benchmark):
 
     @property
     def column_of_subject(self) -> str:
-        """Where a row has its subject."""
+        """Return where a row has its subject."""
         return "subject"
 
     def subject_of(self, row: Row) -> str:
-        """The subject of a row; empty if it has none."""
+        """Return the subject of a row; empty if it has none."""
         said = row.get(self.column_of_subject)
         return said if isinstance(said, str) else ""
 
     def needs_figure(self, row: Row) -> bool:
-        """Whether a problem cannot be understood without its figure; by default none needs one."""
+        """Return whether a problem cannot be understood without its figure; by default none needs one."""
         del row
         return False
 
     @abstractmethod
     def problem(self, row: Row, number: int) -> BenchmarkItem | None:
-        """The problem of the `number`-th row; None for one that this benchmark leaves out.
+        """Return the problem of the `number`-th row; None for one that this benchmark leaves out.
 
         KeyError, TypeError and ValueError say that the row is not as it must be.
         """

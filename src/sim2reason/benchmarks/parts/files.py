@@ -32,7 +32,7 @@ class HubFile(BaseModel):
 
 
 def fetched(file: HubFile) -> Path:
-    """The file as the hub's own library keeps it on this machine.
+    """Return the file as the hub's own library keeps it on this machine.
 
     Raises:
         MissingExtraError: the library is missing.
@@ -51,7 +51,7 @@ def fetched(file: HubFile) -> Path:
 
 
 def rows(path: Path, sha256: str | None = None) -> list[Row]:
-    """The rows of a file that ends in .json, .jsonl or .parquet.
+    """Return the rows of a file that ends in .json, .jsonl or .parquet.
 
     Raises:
         EvaluationError: it is missing, too large, of another hash, or no list of objects.
@@ -84,7 +84,7 @@ def _lines(content: bytes) -> object:
 
 
 def _writable(content: bytes, held: object) -> object:
-    """The same, unless it has half of a surrogate pair, which no file can hold (a ValueError)."""
+    """Return the same, unless it has half of a surrogate pair, which no file can hold (a ValueError)."""
     if b"\\ud" in content.lower():
         json.dumps(held, ensure_ascii=False).encode()
     return held

@@ -52,7 +52,7 @@ class QuestionFile(FileBenchmark):
         return self.subject_column
 
     def needs_figure(self, row: Row) -> bool:
-        """Where the column of figures has something in it."""
+        """Return where the column of figures has something in it."""
         return bool(row.get(self.figure_column))
 
     def problem(self, row: Row, number: int) -> BenchmarkItem:
@@ -70,7 +70,7 @@ class QuestionFile(FileBenchmark):
         )
 
     def reference(self, row: Row) -> dict[str, JsonValue]:
-        """The answer of a row as the rule needs it; ValueError if it is none."""
+        """Return the answer of a row as the rule needs it; ValueError if it is none."""
         held: Any = _at(row, self.answer_column)
         several = [str(part) for part in cast("list[object]", held)] if isinstance(held, list) else [str(held)]
         if not all(part.strip() for part in several):
@@ -81,7 +81,7 @@ class QuestionFile(FileBenchmark):
         return told | ({"unit": unit} if isinstance(unit, str) else {}) | self._number(several, unit)
 
     def _number(self, several: list[str], unit: object) -> dict[str, JsonValue]:
-        """What the rule for one number needs beside that."""
+        """Return what the rule for one number needs beside that."""
         if self.scoring != "numeric":
             return {}
         known = unit_or_none(unit)

@@ -61,12 +61,12 @@ class Evaluation:
             policy.check()
 
     def samples_of(self, benchmark: Benchmark) -> int:
-        """How often each problem of a benchmark is asked."""
+        """Return how often each problem of a benchmark is asked."""
         return benchmark.samples or self.samples
 
 
 def evaluation_from(config: "Path | str | Mapping[str, object] | Evaluation", out: Path | None = None) -> Evaluation:
-    """The evaluation that a YAML file, or settings, describe; `out` stands for the folder that they name.
+    """Return the evaluation that a YAML file, or settings, describe; `out` stands for the folder that they name.
 
     Paths in it are seen from where the program runs.
 
@@ -91,7 +91,7 @@ def _evaluation(file: _File) -> Evaluation:
 
 
 def _policy(settings: Settings, place: str, sampling: Settings) -> Policy:
-    """A policy, whose own sampling comes before that of all."""
+    """Return a policy, whose own sampling comes before that of all."""
     own = settings.get("sampling", {})
     if not isinstance(own, dict):
         raise EvaluationError(f"{place}.sampling: give settings, such as temperature: 1.0")

@@ -61,7 +61,7 @@ class RunRecord(_Record):
     versions: dict[str, str]
 
     def difference(self, other: "RunRecord") -> str:
-        """The first thing in which `other` cannot go on with this; empty if it can.
+        """Return the first thing in which `other` cannot go on with this; empty if it can.
 
         It can with more samples, further policies and further benchmarks.
         """
@@ -116,7 +116,7 @@ class RunFolder:
 
     @classmethod
     def begun(cls, evaluation: Evaluation) -> "RunFolder":
-        """The folder of an evaluation, new or gone on with; the caller holds its lock.
+        """Return the folder of an evaluation, new or gone on with; the caller holds its lock.
 
         A run to whose problems no answer has come is replaced by another.
 
@@ -149,7 +149,7 @@ class RunFolder:
         return cls(out)
 
     def items(self, benchmark: str) -> list[BenchmarkItem]:
-        """The problems of a benchmark, as they are asked; EvaluationError if the run was begun with others."""
+        """Return the problems of a benchmark, as they are asked; EvaluationError if the run was begun with others."""
         path = self.path / PROBLEMS / f"{benchmark}.jsonl"
         try:
             with path.open("rb") as lines:
@@ -161,11 +161,11 @@ class RunFolder:
         return found
 
     def samples(self, policy: str, benchmark: str) -> Path:
-        """The journal of a policy's answers to a benchmark."""
+        """Return the journal of a policy's answers to a benchmark."""
         return self.path / SAMPLES / policy / f"{benchmark}.jsonl"
 
     def judged(self, policy: str, benchmark: str) -> Path:
-        """The journal of what the judge said of them."""
+        """Return the journal of what the judge said of them."""
         return self.path / JUDGED / policy / f"{benchmark}.jsonl"
 
     @property
@@ -203,7 +203,7 @@ def _record(evaluation: Evaluation, items: Mapping[str, Iterable[BenchmarkItem]]
 
 
 def _kind(registry: Mapping[str, type], value: object) -> str:
-    """The name under which the class of `value` is registered; that of the class where a program has its own."""
+    """Return the name under which the class of `value` is registered; that of the class where a program has its own."""
     return next((name for name, kind in registry.items() if kind is type(value)), type(value).__name__)
 
 
@@ -248,6 +248,6 @@ def copy_answers(run: Path, out: Path, model: str, copied: str) -> None:
 
 
 def _of(plan: PolicyPlan, model: str) -> PolicyPlan:
-    """The same policy of a model at another place."""
+    """Return the same policy of a model at another place."""
     settings, decisive = ({**held, "model": model} for held in (plan.settings, plan.decisive))
     return plan.model_copy(update={"settings": settings, "decisive": decisive})

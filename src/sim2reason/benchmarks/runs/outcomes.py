@@ -50,7 +50,7 @@ class SampleOutcome(BaseModel):
 
 
 def ending_of(completion: Completion, award: Award) -> Ending:
-    """How a sample ended, by its points first, then by what the endpoint said, then by what could be read."""
+    """Return how a sample ended, by its points first, then by what the endpoint said, then by what could be read."""
     if award.points > 0.0:
         return Ending.CORRECT if award.points >= 1.0 else Ending.PARTIAL
     by_finish = {"refused": Ending.REFUSED, "overflow": Ending.OVERFLOW, "length": Ending.TRUNCATED}
@@ -62,7 +62,7 @@ def ending_of(completion: Completion, award: Award) -> Ending:
 
 
 def outcomes(folder: RunFolder, policy: str, benchmark: str) -> Iterator[SampleOutcome]:
-    """Every finished sample of a policy and a benchmark, scored; samples beyond the plan are left out."""
+    """Yield every finished sample of a policy and a benchmark, scored; samples beyond the plan are left out."""
     items = {item.id: item for item in folder.items(benchmark)}
     rulings = {found.id: found.completion for found in finished(folder.judged(policy, benchmark))}
     for found in finished(folder.samples(policy, benchmark)):

@@ -20,7 +20,7 @@ Advance = Callable[[int], object]
 
 
 def total_samples(evaluation: Evaluation, folder: RunFolder) -> int:
-    """How many answers an evaluation wants."""
+    """Return how many answers an evaluation wants."""
     each = (
         folder.record.benchmarks[benchmark.name].items * evaluation.samples_of(benchmark)
         for benchmark in evaluation.benchmarks
@@ -34,7 +34,7 @@ def run(
     begun: Callable[[int], object] = lambda _: None,
     advance: Advance = lambda _: None,
 ) -> tuple[RunFolder, list[str]]:
-    """The folder of the run, with all that could be asked, and why each open sample got no answer.
+    """Return the folder of the run, with all that could be asked, and why each open sample got no answer.
 
     `begun` is told how many samples there are, `advance` how many more are finished.
 

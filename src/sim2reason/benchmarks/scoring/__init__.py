@@ -33,7 +33,7 @@ class Award:
 
     @classmethod
     def all_or_nothing(cls, right: bool, parsed: str, why: str = "") -> "Award":  # noqa: FBT001 - the verdict itself
-        """One point for a right answer, none for a wrong one."""
+        """Return one point for a right answer, none for a wrong one."""
         return cls(float(right), parsed=parsed, why=why)
 
 
@@ -51,15 +51,15 @@ class Scoring(ABC):
 
     @abstractmethod
     def award(self, response: str, reference: Reference) -> Award:
-        """The award for a response, with its thinking; it never raises for anything that a response says."""
+        """Return the award for a response, with its thinking; it never raises for anything that a response says."""
 
     def question(self, response: str, reference: Reference, prompt: str) -> str | None:
-        """What to ask a judge about a response that `award` did not pay; None where the rule alone decides."""
+        """Return what to ask a judge about a response that `award` did not pay; None where the rule alone decides."""
         del response, reference, prompt
         return None
 
     def ruling(self, said: str) -> Award:
-        """The award by what a judge said; only for rules that ask one."""
+        """Return the award by what a judge said; only for rules that ask one."""
         raise NotImplementedError(said)
 
 

@@ -151,7 +151,7 @@ class OlympiadBench(Scoring):
 
 
 def expected_parts(reference: Reference) -> list[_Expected]:
-    """The right answers, each with its own error and unit."""
+    """Return the right answers, each with its own error and unit."""
     answers = _signs(parts(str(reference["answer"])))
     errors = _spread(reference.get("error"), len(answers))
     units = _spread(reference.get("unit"), len(answers))
@@ -168,13 +168,13 @@ def expected_parts(reference: Reference) -> list[_Expected]:
 
 
 def _spread(text: object, count: int) -> list[str]:
-    """A list with commas, one entry for each answer; a single entry is meant for all."""
+    """Return a list with commas, one entry for each answer; a single entry is meant for all."""
     held = [part.strip() for part in text.split(",")] if isinstance(text, str) else [""]
     return held if len(held) == count else held[:1] * count
 
 
 def _said(found: list[str], count: int) -> list[str]:
-    """What the last box says, or as many boxes as there are answers."""
+    """Return what the last box says, or as many boxes as there are answers."""
     last = _signs(parts(found[-1]))
     apart = _signs(parts(found[-1], thousands=False))
     several = _signs([part for content in found[-count:] for part in parts(content)])
@@ -182,7 +182,7 @@ def _said(found: list[str], count: int) -> list[str]:
 
 
 def _signs(answers: list[str]) -> list[str]:
-    """Each answer with ± as two."""
+    """Return each answer with ± as two."""
     return [text for answer in answers for text in _two(answer)]
 
 
@@ -219,7 +219,7 @@ def _near(right: _Expected, value: float, said: str) -> bool:
 
 
 def _is_list(text: str) -> bool:
-    """Whether an answer is an interval, a union of them, or a tuple."""
+    """Return whether an answer is an interval, a union of them, or a tuple."""
     return bool(text) and text[0] in "([" and text[-1] in ")]" and all(len(parts(p[1:-1])) > 1 for p in _pieces(text))
 
 
@@ -228,7 +228,7 @@ def _pieces(text: str) -> list[str]:
 
 
 def _intervals(one: str, other: str, right: _Expected) -> bool:
-    """Whether the brackets are the same, and the ends one by one."""
+    """Return whether the brackets are the same, and the ends one by one."""
     ours, theirs = _pieces(one), _pieces(other)
     return len(ours) == len(theirs) and all(
         (a[0], a[-1]) == (b[0], b[-1]) and _ends(parts(a[1:-1]), parts(b[1:-1]), right)

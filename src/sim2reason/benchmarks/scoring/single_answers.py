@@ -121,7 +121,7 @@ class Physics(Scoring):
         return Award.all_or_nothing(good, ", ".join(found), "" if good else "not equal by the rule")
 
     def question(self, response: str, reference: Reference, prompt: str) -> str | None:
-        """The boxes, beside the right answers; None where there is no box to judge."""
+        """Return the boxes, beside the right answers; None where there is no box to judge."""
         right = [str(answer) for answer in cast("list[object]", reference["answers"])]
         found = boxes(response)[-len(right) :]
         if not found:

@@ -19,11 +19,11 @@ class Straight(TwoEnded):
 
     @property
     def spacing(self) -> float:
-        """How long it is at the start, m."""
+        """Return how long it is at the start, m."""
         return self.free
 
     def ends(self, joint: Joint, builder: Builder) -> list[str]:
-        """The two sites that it joins; SceneError if it would have to turn on its way from one to the other."""
+        """Return the two sites that it joins; SceneError if it would have to turn on its way from one to the other."""
         sites = [stop.sites[0] for stop in joint.stops]
         if not opposite(*(builder.faces[site] for site in sites)):
             problem = f"{' and '.join(map(str, self.links))} do not face each other, and a {self.key} runs straight"

@@ -53,17 +53,17 @@ class TwoEnded(Connection):
 
     @classmethod
     def between(cls, one: tuple[str, SitePort], other: tuple[str, SitePort], **numbers: float) -> Self:
-        """A connection from a port of a named entity to one of another."""
+        """Return a connection from a port of a named entity to one of another."""
         links = tuple(Link(entity=name, port=port.name) for name, port in (one, other))
         return cls(links=links, **numbers)  # type: ignore[arg-type]  # each is a field of the class, validated by it
 
     def brings(self, joint: Joint, builder: Builder) -> dict[str, Body]:
-        """No bodies."""
+        """Return no bodies."""
         del joint, builder
         return {}
 
     def describe(self, joint: Joint, writer: SentenceWriter) -> str:
-        """Its sentence, begun at its first end that has a direction."""
+        """Return its sentence, begun at its first end that has a direction."""
         if len(joint.stops) != 2:
             raise SceneError(joint.name, f"a {self.key} joins two ports", "lead it past nothing")
         first, last = sorted(joint.stops, key=lambda stop: not self.way(stop.port))
@@ -81,14 +81,14 @@ class TwoEnded(Connection):
 
     @classmethod
     def way(cls, port: SitePort) -> str:
-        """The verb phrase with which it leaves a port that has a direction; empty for others."""
+        """Return the verb phrase with which it leaves a port that has a direction; empty for others."""
         return port.leaves if cls.leads.wordings and isinstance(port, StringEnd) else ""
 
     @classmethod
     def parse(
         cls, name: str, place: int, state: S, matcher: SentenceMatcher[S], routes: Routes[S]
     ) -> Iterator[ParsedSentence[S]]:
-        """Its sentence read back: every wording, between every two ports that it can join."""
+        """Yield its sentence read back: every wording, between every two ports that it can join."""
         if place >= len(matcher.pieces):
             return
         text = matcher.pieces[place]
@@ -130,7 +130,7 @@ class TwoEnded(Connection):
 
     @classmethod
     def _ends(cls, slot: str, legs: dict[str, Leg[S]], routes: Routes[S], state: S) -> Iterator[Leg[S]]:
-        """The ports that it can be joined to at an end, the other of which may be known."""
+        """Yield the ports that it can be joined to at an end, the other of which may be known."""
         other = tuple(leg.link for key, leg in legs.items() if key != slot)
         for leg in routes.legs(cls, state, other or NOWHERE if slot == "b" else ()):
             if leg.link not in other and cls.admits(leg.stops[0].port, "ab".index(slot), 1):
@@ -138,7 +138,7 @@ class TwoEnded(Connection):
 
 
 def _told(cls: type[Connection], template: str) -> set[str]:
-    """The ends and numbers that a wording tells, those that its words tell included."""
+    """Return the ends and numbers that a wording tells, those that its words tell included."""
     found = set(paths(template))
     for word in (cls.words[name] for name in found & cls.words.keys()):
         found |= {path for text in (*word.special.values(), word.otherwise) for path in paths(text)}
@@ -147,6 +147,6 @@ def _told(cls: type[Connection], template: str) -> set[str]:
 
 @cache
 def _pieces(template: str) -> tuple[tuple[str, str], ...]:
-    """A template as texts, each with the end or the way that follows it, or nothing."""
+    """Return a template as texts, each with the end or the way that follows it, or nothing."""
     parts = _SLOTS.split(template)
     return tuple((parts[i], parts[i + 1] if i + 1 < len(parts) else "") for i in range(0, len(parts), 2))

@@ -52,7 +52,7 @@ class _Worker:
             self.pipe.send(batch)
 
     def reply(self) -> Reply | None:
-        """What has become of the batch; None if nothing yet. DatasetError if no worker can work."""
+        """Return what has become of the batch; None if nothing yet. DatasetError if no worker can work."""
         if self.pipe.poll():
             return self._take()
         return self._lost("hung its worker") if time.monotonic() >= self.deadline else None
@@ -115,7 +115,7 @@ def alone(source: Source, maker: str) -> Generator[tuple[Batch, Reply], None, No
 
 
 def cores() -> int:
-    """How many cores this process may use."""
+    """Return how many cores this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 

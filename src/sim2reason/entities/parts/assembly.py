@@ -121,7 +121,7 @@ def holds_axle(piece: WeldedPiece) -> bool:
 
 
 def overlap(one: WeldedPiece, other: WeldedPiece) -> bool:
-    """Whether two pieces would be in one another.
+    """Return whether two pieces would be in one another.
 
     A thin rod may cross another, or be beside what is small; one along the arm may end in what is thick on its own side
     of the axle. What is small has its own place.

@@ -43,7 +43,7 @@ class Buffered(Pair):
 
 
 def alike(gliders: Sequence[Glider]) -> tuple[Glider, ...]:
-    """The same, all of the class of the first."""
+    """Return the same, all of the class of the first."""
     kind = type(gliders[0])
     return tuple(kind(mass=glider.mass, x=glider.x, v=glider.v) for glider in gliders)
 
@@ -55,7 +55,7 @@ SQUEEZED = 0.45  # of its length, by which a spring between two bodies becomes s
 
 
 def fit(gliders: Sequence[Glider], joined: Sequence[Joined], buffers: Sequence[Buffered]) -> dict[str, object]:
-    """What was drawn, from left to right with room between neighbours, and on firm springs."""
+    """Return what was drawn, from left to right with room between neighbours, and on firm springs."""
     ordered = _apart(sorted(gliders, key=lambda glider: glider.x), {pair.first for pair in joined})
     return {"gliders": ordered, "joined": _firm(joined, ordered), "buffers": _firm(buffers, ordered)}
 
@@ -74,7 +74,7 @@ def _apart(gliders: Sequence[Glider], joined: Container[int]) -> tuple[Glider, .
 
 
 def _firm(pairs: Sequence[Sprung], gliders: Sequence[Glider]) -> tuple[Sprung, ...]:
-    """Those whose springs are stiff enough, or can be made so, that nothing compresses them to nothing.
+    """Return those whose springs are stiff enough, or can be made so, that nothing compresses them to nothing.
 
     With a reduced mass µ and a relative speed of at most twice the largest, ½µ(2v)² = ½kd² where d is 0.45 of the room.
     """

@@ -53,12 +53,12 @@ class WeldedPiece(Part):
 
     @property
     def axes(self) -> Axes:
-        """Where its own axes point, in those of the arm."""
+        """Return where its own axes point, in those of the arm."""
         raise NotImplementedError
 
     @property
     def place(self) -> float:
-        """Where it is along the arm, m; negative on the other side of the axle."""
+        """Return where it is along the arm, m; negative on the other side of the axle."""
         return -self.distance if self.side in (OTHER, UNLIKE_FIRST) else self.distance
 
     def told_after(self, earlier: Sequence["WeldedPiece"]) -> Self:

@@ -89,11 +89,11 @@ class Start(Part):
 
     @property
     def sign(self) -> float:
-        """Whether that is up the slope, or to the right."""
+        """Return whether that is up the slope, or to the right."""
         return -1.0 if self.way == "down the slope" else 1.0
 
     def motion(self, radius: float) -> tuple[float, float]:
-        """Its speed up the slope, m/s, and its angular velocity the way in which it would roll there, rad/s."""
+        """Return its speed up the slope, m/s, and its angular velocity the way in which it would roll there, rad/s."""
         raise NotImplementedError
 
 
@@ -148,7 +148,7 @@ class Spinning(Start):
     )
 
     def motion(self, radius: float) -> tuple[float, float]:
-        """Its centre is at rest."""
+        """Return the initial velocities of the centre, which is zero, and of the rotation."""
         del radius
         return 0.0, self.sign * self.spin
 
@@ -181,5 +181,5 @@ class Hole(Part):
         return (side * sin(radians(self.bearing)), 0.0, cos(radians(self.bearing)))
 
     def fits(self, *, level: bool) -> bool:
-        """Whether it is told as a level or a sloping plane needs."""
+        """Return whether it is told as a level or a sloping plane needs."""
         return self.bearing in (0.0, 180.0) or level == (self.towards == "right")

@@ -153,7 +153,7 @@ def _copy(export: Export, place: Path, rows: dict[str, int], dataset: Dataset) -
 
 @contextmanager
 def _replacing(folder: Path) -> Generator[Path, None, None]:
-    """A folder beside `folder` that takes its name when the block ends well, and is removed when it doesn't."""
+    """Return a folder beside `folder` that takes its name when the block ends well, and is removed when it doesn't."""
     if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
         raise DatasetError(f"{folder}: is there already, and nothing is overwritten; give a new folder or remove it")
     if folder.exists() and folder.samefile("."):

@@ -16,12 +16,12 @@ class Message(TypedDict):
 
 
 def asked(prompt: str) -> list[Message]:
-    """A conversation that begins with the problem; the problem itself says how to answer."""
+    """Return a conversation that begins with the problem; the problem itself says how to answer."""
     return [{"role": "user", "content": prompt}]
 
 
 def facts(item: Item) -> dict[str, str]:
-    """What results are grouped by."""
+    """Return what results are grouped by."""
     return {name: getattr(item, name) for name in FACTS}
 
 

@@ -76,7 +76,7 @@ def _speed(setting: Setting, name: str, speed: float) -> str:
 
 
 def _tail(setting: Setting, name: str, way: complex) -> complex:
-    """Where an arrow begins: at the rim of what is round, beside a block, clear of what is tied to it."""
+    """Return where an arrow begins: at the rim of what is round, beside a block, clear of what is tied to it."""
     look, at = setting.look(name), setting.at(name)
     if not isinstance(look, SmallBody) or look.kind not in OBLONG or setting.view.level:
         return at + setting.radius(name) * way
@@ -86,14 +86,14 @@ def _tail(setting: Setting, name: str, way: complex) -> complex:
 
 
 def _beside(setting: Setting, name: str, way: complex) -> complex:
-    """Where an arrow begins that is above a body, or to its left."""
+    """Return where an arrow begins that is above a body, or to its left."""
     out = way * 1j if (way * 1j).imag > 0.0 or abs(way.imag) > 0.999 else way * -1j
     back = 0.45 if setting.sizes(name)[0] >= setting.plan.sizes.width else 0.0  # not over a neighbour
     return setting.at(name) + (setting.radius(name) + 0.25) * out - back * way
 
 
 def _run_together(one: tuple[complex, complex], other: tuple[complex, complex]) -> bool:
-    """Whether two arrows, each from its tail along a way, touch or cross each other."""
+    """Return whether two arrows, each from its tail along a way, touch or cross each other."""
     (a, along), (b, across) = one, other
     if crosses(a, a + along, b, b + across):
         return True
@@ -102,7 +102,7 @@ def _run_together(one: tuple[complex, complex], other: tuple[complex, complex]) 
 
 
 def _runs_over(setting: Setting, moving: Mapping[str, complex], size: float) -> bool:
-    """Whether an arrow of this scale would run over another body."""
+    """Return whether an arrow of this scale would run over another body."""
     spots = {body.name: (setting.at(body.name), setting.radius(body.name)) for body in setting.members}
     for name, velocity in moving.items():
         at, radius = spots[name]
@@ -152,7 +152,7 @@ def _mark(text: str, name: str, setting: Setting, turn: tuple[float, float], fou
 
 
 def spins(setting: Setting) -> Sketch:
-    """A curved arrow for every angular velocity that the text states: about an axle, or about its own axis."""
+    """Return a curved arrow for every angular velocity that the text states: about an axle, or about its own axis."""
     found = Sketch()
     for body in setting.members:
         for hinge in body.coordinates:
@@ -192,7 +192,7 @@ def _curved(text: str, setting: Setting, body: RigidBody, sense: float, found: S
 
 
 def deflections(setting: Setting) -> Sketch:
-    """The angle between the vertical and what hangs from a fixed point, where the text states it."""
+    """Return the angle between the vertical and what hangs from a fixed point, where the text states it."""
     found = Sketch()
     if setting.view.level:
         return found
@@ -233,7 +233,7 @@ def _sector(text: str, owner: str, at: complex, turn: float, radius: float, foun
 
 
 def _hanging(setting: Setting) -> list[tuple[complex, complex, str]]:
-    """What runs from a point of the room to a body: straight lines, and arms on hinges."""
+    """Return what runs from a point of the room to a body: straight lines, and arms on hinges."""
     found: list[tuple[complex, complex, str]] = []
     for line in setting.lines:
         if len(line.through) == 2:
@@ -248,7 +248,7 @@ def _hanging(setting: Setting) -> list[tuple[complex, complex, str]]:
 
 
 def _tip(setting: Setting, body: RigidBody, pivot: complex) -> complex:
-    """Where an arm leads: to its centre of mass, or to what it carries first."""
+    """Return where an arm leads: to its centre of mass, or to what it carries first."""
     at = setting.view.at(vector(setting.frames.center(body.name).place))
     if abs(at - pivot) > STILL:
         return at
@@ -257,7 +257,7 @@ def _tip(setting: Setting, body: RigidBody, pivot: complex) -> complex:
 
 
 def heights(setting: Setting) -> Sketch:
-    """How high a body is above the ground that it can fall to, where the text states it."""
+    """Return how high a body is above the ground that it can fall to, where the text states it."""
     found = Sketch()
     for body in setting.members:
         floor = setting.floor(body)
@@ -276,7 +276,7 @@ def heights(setting: Setting) -> Sketch:
 
 
 def _dimension(low: complex, top: complex, at: complex) -> list[Shape]:
-    """A double arrow beside what it measures, with a fine line to the body."""
+    """Return a double arrow beside what it measures, with a fine line to the body."""
     middle = 0.5 * (low + top)
     return [
         LineShape((middle, top), "hair", arrow=True),

@@ -24,7 +24,7 @@ FINE = 24  # points of half a round outline
 
 
 def body(setting: Setting, address: str, along: complex = RIGHT) -> Sketch:
-    """A body at its place; `along` is the way in which a block lies."""
+    """Return a body at its place; `along` is the way in which a block lies."""
     look, at = setting.look(address), setting.at(address)
     if look is None:
         return stranger(setting, address, at)
@@ -32,7 +32,7 @@ def body(setting: Setting, address: str, along: complex = RIGHT) -> Sketch:
 
 
 def stranger(setting: Setting, address: str, at: complex) -> Sketch:
-    """A body whose class declares no look: a dashed box with its name."""
+    """Return a body whose class declares no look: a dashed box with its name."""
     text = setting.plan.caption(address)
     wide = max(1.0, width(text, SMALL) + 0.2)
     box = Area(rectangle(at, wide, 0.7), dashed=True)
@@ -40,7 +40,7 @@ def stranger(setting: Setting, address: str, at: complex) -> Sketch:
 
 
 def shapes(setting: Setting, address: str, look: BodyLook, at: complex, along: complex) -> Iterable[Shape]:
-    """What is drawn of a body, from back to front."""
+    """Return what is drawn of a body, from back to front."""
     x, y, z = (setting.view.way(axis) for axis in setting.axes(address))
     size = setting.view.scale
     match look:  # each kind of look has its own shapes
@@ -82,7 +82,7 @@ def small(kind: str, at: complex, radius: float, sizes: tuple[float, float], alo
 
 
 def sphere(look: Spherical, at: complex, size: float, z: complex) -> list[Shape]:
-    """A disc, with what is hollow left white; a hole that goes through the wall opens it."""
+    """Return a disc, with what is hollow left white; a hole that goes through the wall opens it."""
     radius, inner = look.radius * size, (look.radius - look.wall) * size
     middle, hole = at + look.offset * size * z, look.hole * size
     if look.wall and hole:
@@ -93,7 +93,7 @@ def sphere(look: Spherical, at: complex, size: float, z: complex) -> list[Shape]
 
 
 def shell(at: complex, radii: tuple[float, float], hole: tuple[float, float], way: complex) -> Polygon:
-    """A ring from which what lies within a hole (how far off, its radius) is cut away."""
+    """Return a ring from which what lies within a hole (how far off, its radius) is cut away."""
 
     def opening(radius: float) -> float:
         """Half the angle that the hole cuts out of a circle."""
@@ -110,7 +110,7 @@ def _turns(gap: float) -> list[float]:
 
 
 def axial(look: Axial, at: complex, size: float, ways: tuple[complex, complex]) -> list[Shape]:
-    """A circle or polygon if one looks along its axis, else a rectangle."""
+    """Return a circle or polygon if one looks along its axis, else a rectangle."""
     x, z = ways
     if abs(z) > SEEN:
         wide, tall = max(THIN, 2.0 * look.radius * size), max(THIN, look.height * size)
@@ -127,7 +127,7 @@ def axial(look: Axial, at: complex, size: float, ways: tuple[complex, complex]) 
 
 
 def cap(look: Capped, at: complex, size: float, z: complex) -> Polygon:
-    """A segment of a circle, or the part of a ring that a bowl's wall shows."""
+    """Return a segment of a circle, or the part of a ring that a bowl's wall shows."""
     if abs(z) <= SEEN:
         wide = sqrt(max(0.0, look.height * (2.0 * look.radius - look.height))) if look.height < look.radius else 0.0
         radius = size * (wide or look.radius)
@@ -139,7 +139,7 @@ def cap(look: Capped, at: complex, size: float, z: complex) -> Polygon:
 
 
 def _segment(radius: float, height: float) -> Polygon:
-    """The curved outline of a cap about the centre of its flat face, its pole upwards, from right to left."""
+    """Return the curved outline of a cap about the centre of its flat face, its pole upwards, from right to left."""
     center = height - radius
     low = asin(max(-1.0, min(1.0, -center / radius)))
     turns = (low + (pi - 2.0 * low) * n / FINE for n in range(FINE + 1))
@@ -147,7 +147,7 @@ def _segment(radius: float, height: float) -> Polygon:
 
 
 def names(setting: Setting, address: str, look: BodyLook, at: complex) -> list[Wanted]:
-    """The name of a body, and its mass if numbers are wanted: inside if they fit, else beside it."""
+    """Return the name of a body, and its mass if numbers are wanted: inside if they fit, else beside it."""
     plan, named = setting.plan, setting.bodies[address].letters
     if isinstance(look, Small) and look.kind == "slab":
         return slab_labels(setting, address, at)
@@ -209,14 +209,14 @@ def lengthwise(setting: Setting, address: str, look: BodyLook) -> tuple[complex,
 
 
 def _covered(setting: Setting, address: str) -> bool:
-    """Whether something is joined to the middle of a body, where its name would stand."""
+    """Return whether something is joined to the middle of a body, where its name would stand."""
     joints = (j for j in setting.plan.scene.joints.values() if setting.owns(j.name) and j.connection.carries)
     sites = (setting.mechanism.site[joint.stops[0].sites[0]] for joint in joints)
     return any(site.body == address and abs(setting.site(site.name) - setting.at(address)) < THIN for site in sites)
 
 
 def _plain(look: BodyLook) -> bool:
-    """Whether there is room for a letter inside: neither ink nor a hole."""
+    """Return whether there is room for a letter inside: neither ink nor a hole."""
     match look:
         case Small(kind):
             return kind in (*LETTERED, "star")

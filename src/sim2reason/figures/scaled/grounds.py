@@ -48,7 +48,7 @@ class Surface:
 
 
 def surfaces(setting: Setting) -> list[Surface]:
-    """The straight surfaces on which bodies lie, each once."""
+    """Return the straight surfaces on which bodies lie, each once."""
     found: dict[tuple[str | None, float, float, float], Surface] = {}
     for face in setting.mechanism.faces:
         parent = setting.mechanism.body[face.subject].parent
@@ -79,7 +79,7 @@ def _below(setting: Setting, body: str, foot: complex, normal: complex) -> Itera
 
 
 def reach(setting: Setting, face: Face) -> float:
-    """How far below the place of a body its face is, in units: its radius if it rolls, else half its height."""
+    """Return how far below the place of a body its face is, in units: its radius if it rolls, else half its height."""
     turning = [abs(factor) for name, factor in face.slip if name.endswith(".hinge")]
     return setting.view.scale * turning[0] if turning else setting.radius(face.subject)
 
@@ -97,7 +97,7 @@ def _touch(
 
 
 def grounds(setting: Setting) -> Sketch:
-    """All that bodies lie on, from back to front."""
+    """Return all that bodies lie on, from back to front."""
     found = Sketch()
     _straight(setting, found)
     for face in setting.mechanism.faces:
@@ -197,7 +197,7 @@ def _round(point: complex, middle: complex) -> float:
 
 
 def _meeting(one: Surface, other: Surface) -> complex:
-    """Where two surfaces meet."""
+    """Return where two surfaces meet."""
     a, u, b, v = one.touched[0], one.along, other.touched[0], other.along
     return a + u * cross(b - a, v) / cross(u, v)
 

@@ -23,7 +23,7 @@ NEAR = 1e-6
 
 
 def look_of(setting: Setting, line: Line) -> str:
-    """How a line is drawn: as its connection or its body says, else by its law."""
+    """Return how a line is drawn: as its connection or its body says, else by its law."""
     joint = setting.plan.scene.joints.get(line.whole)
     if joint is not None:
         return joint.connection.look
@@ -91,7 +91,7 @@ def _around(setting: Setting, line: Line, ends: tuple[str, str], found: Sketch) 
 
 
 def _shares(long: float) -> Iterator[float]:
-    """Where a straight stroke that becomes an arc is divided."""
+    """Return where a straight stroke that becomes an arc is divided."""
     count = 1 + int(long / FINE)
     return (n / count for n in range(count))
 
@@ -108,7 +108,7 @@ def _radius(setting: Setting, ends: tuple[str, str], middle: complex, found: Ske
 
 
 def strokes(setting: Setting, line: Line, look: str, points: list[complex]) -> Iterator[Shape]:
-    """The line itself, from site to site."""
+    """Yield the line itself, from site to site."""
     for number, (a, b) in enumerate(pairwise(points)):
         if abs(b - a) < NEAR:
             continue
@@ -121,7 +121,7 @@ def strokes(setting: Setting, line: Line, look: str, points: list[complex]) -> I
 
 
 def _named(setting: Setting, address: str, points: list[complex]) -> list[Wanted]:
-    """The name of a line that is a body, and its stated length, beside its middle."""
+    """Return the name of a line that is a body, and its stated length, beside its middle."""
     a, b = max(pairwise(points), key=lambda pair: abs(pair[1] - pair[0]))
     found: list[Wanted] = []
     body = setting.bodies.get(address)
@@ -204,7 +204,7 @@ def _arm(setting: Setting, body: RigidBody, found: Sketch, front: Sketch) -> Non
 
 
 def pieces_on(setting: Setting, arm: RigidBody) -> list[str]:
-    """What is welded to an arm: bodies of a stated size, whose distances from the axle are stated, too."""
+    """Return what is welded to an arm: bodies of a stated size, whose distances from the axle are stated, too."""
     sized = Spherical | Axial | Capped | Rectangular | Silhouette
     return [
         body.name for body in setting.members if body.parent == arm.name and isinstance(setting.look(body.name), sized)
@@ -221,7 +221,7 @@ def _lettered(setting: Setting, address: str, pivot: complex, far: complex, foun
 
 
 def _ends(setting: Setting, body: RigidBody) -> Iterator[complex]:
-    """Where the arm of a body leads: to its own mass, to what it carries, to its sites."""
+    """Yield where the arm of a body leads: to its own mass, to what it carries, to its sites."""
     if body.mass > 0.0:
         yield setting.at(body.name)
     carried = (other for other in setting.members if other.parent == body.name)

@@ -25,7 +25,7 @@ ARC = 0.35  # units beyond the body at which an angle is marked
 
 
 def stated(setting: Setting) -> Sketch:
-    """All of them."""
+    """Return all of them."""
     found = Sketch()
     if not setting.view.level:
         for body in setting.members:
@@ -91,7 +91,7 @@ def _bearing(setting: Setting, body: RigidBody, found: Sketch) -> None:
 
 
 def _turned(setting: Setting) -> Iterator[tuple[str, str]]:
-    """Where strings leave a body for a point of its entity in the room round which they turn."""
+    """Yield where strings leave a body for a point of its entity in the room round which they turn."""
     for line in setting.mechanism.lines:
         for one, other in ((line.through[:2]), line.through[:-3:-1]):
             ends = setting.mechanism.site[one].body, setting.mechanism.site[other].body
@@ -165,7 +165,7 @@ def scaled(setting: Setting) -> Sketch:
 
 
 def _pulley(setting: Setting, address: str) -> Sketch:
-    """A wheel between the two points of its rim, with its axle and its name."""
+    """Return a wheel between the two points of its rim, with its axle and its name."""
     sides = rim_of(setting.mechanism, address)
     if sides is None:
         return Sketch()
@@ -214,13 +214,13 @@ class ScaledPiece(Piece):
         self.outlines = [found for shape in solid if len(found := hull(outline(shape))) > 1]
 
     def anchor(self, knot: PathKnot, way: complex, *, second: bool) -> complex:
-        """The port's site, or where the strand comes out of the body there."""
+        """Return the port's site, or where the strand comes out of the body there."""
         return self.setting.edge(knot.leaves if second else knot.arrives, way)
 
     def hulls(self) -> list[Polygon]:
-        """Every shape of it."""
+        """Return every shape of it."""
         return self.outlines
 
     def sketch(self) -> Sketch:
-        """The drawing to scale."""
+        """Return the drawing to scale."""
         return self.picture

@@ -78,7 +78,7 @@ SOON, FAINT = 1e-3, 1e-12  # s, and what is no field
 
 
 def fields(setting: Setting) -> Sketch:
-    """The regions, and the marks of every field that has a direction."""
+    """Return the regions, and the marks of every field that has a direction."""
     found = Sketch()
     for region, _ in setting.regions():
         outline = border(setting, region)
@@ -93,7 +93,7 @@ def fields(setting: Setting) -> Sketch:
 
 
 def _marks(setting: Setting, force: Force, shift: complex, found: Sketch, letters: set[str]) -> bool:
-    """A field's marks on a grid, and its letter at one of them; whether there are any."""
+    """Return a field's marks on a grid, and its letter at one of them; whether there are any."""
     places = _grid(spread(setting), shift)
     inside = [at for at in places if force.region is None or _inside(setting, force.region, at)]
     shown = [mark for at in inside if (mark := mark_at(setting, force, at)) is not None]
@@ -117,7 +117,7 @@ def _grid(area: tuple[float, float, float, float], shift: complex) -> Iterator[c
 
 
 def mark_at(setting: Setting, force: Force, at: complex) -> tuple[str, list[Shape]] | None:
-    """The letter of a field and its mark at a place; None where it is zero, or has no direction of its own."""
+    """Return the letter of a field and its mark at a place; None where it is zero, or has no direction of its own."""
     sign = _charged(setting, force.body)
     unit_charge = -1.0 if sign == NEGATIVE else 1.0
     for time in (0.0, SOON):  # of a field that grows from nothing, the way in which it points next
@@ -129,7 +129,7 @@ def mark_at(setting: Setting, force: Force, at: complex) -> tuple[str, list[Shap
 
 
 def parts(setting: Setting, law: Law, where: Vector, time: float) -> tuple[Vector, Vector]:
-    """What a law does to what rests, and the field square to the velocity of what moves, as far as it has one.
+    """Return what a law does to what rests, and the field square to the velocity of what moves, as far as it has one.
 
     From F = v × B for v along the two sides of the page and out of it, drag having no part square to v:
     B = (y·F(z), z·F(x), x·F(y)), where x, y, z are the three directions.
@@ -145,7 +145,7 @@ def parts(setting: Setting, law: Law, where: Vector, time: float) -> tuple[Vecto
 
 
 def _symbol(setting: Setting, strength: Vector, at: complex) -> list[Shape]:
-    """A cross into the page, a dot out of it, else an arrow."""
+    """Return a cross into the page, a dot out of it, else an arrow."""
     out, way = inner(setting.view.towards, strength), setting.view.way(strength)
     if abs(way) > abs(out):
         half = 0.5 * ARROW * unit(way)
@@ -157,13 +157,13 @@ def _symbol(setting: Setting, strength: Vector, at: complex) -> list[Shape]:
 
 
 def _charged(setting: Setting, body: str) -> str:
-    """The sign of the charge of a body; empty if it has none."""
+    """Return the sign of the charge of a body; empty if it has none."""
     look = setting.look(body)
     return look.mark if isinstance(look, Small) else ""
 
 
 def place(setting: Setting, at: complex) -> Vector:
-    """The place of the room that a point of the page shows."""
+    """Return the place of the room that a point of the page shows."""
     view = setting.view
     return add(scale(at.real / view.scale, view.right), scale(at.imag / view.scale, view.up))
 
@@ -193,7 +193,7 @@ def border(setting: Setting, region: Region) -> Polygon:
 
 
 def _cut(polygon: Polygon, normal: complex, offset: float) -> Polygon:
-    """The part of a convex polygon where normal·r ≥ offset."""
+    """Return the part of a convex polygon where normal·r ≥ offset."""
     found: list[complex] = []
     for a, b in zip(polygon, (*polygon[1:], *polygon[:1]), strict=True):
         one, other = dot(normal, a) - offset, dot(normal, b) - offset

@@ -22,7 +22,7 @@ TILTED = 2.2  # units, the level line at the foot of a rail
 
 
 def rides(setting: Setting, body: RigidBody) -> bool:
-    """Whether a small body is led along a straight line that is not upright, though it presses on nothing."""
+    """Return whether a small body is led along a straight line that is not upright, though it presses on nothing."""
     look, slides = setting.look(body.name), [c for c in body.coordinates if c.kind == "slide"]
     if not isinstance(look, Small) or body.name in setting.mechanism.contacts or setting.view.level:
         return False
@@ -40,7 +40,7 @@ def walls(setting: Setting, point: complex, way: complex, on: str | None = None)
 
 
 def rails(setting: Setting) -> Sketch:
-    """All of these, behind what they lead."""
+    """Return all of these, behind what they lead."""
     found = Sketch()
     riding: dict[tuple[float, float], list[RigidBody]] = {}
     for body in setting.members:
@@ -88,7 +88,7 @@ def _tilt(setting: Setting, body: RigidBody, low: complex, way: complex, found: 
 
 
 def _stops(setting: Setting, group: list[RigidBody], way: complex, at: complex) -> Iterator[float]:
-    """Where walls are that bodies on a rail may hit, along it from `at`."""
+    """Yield where walls are that bodies on a rail may hit, along it from `at`."""
     names = {body.name for body in group}
     for meeting in setting.mechanism.meetings:
         if meeting.a is None and meeting.normal is not None and meeting.b in names:
@@ -147,7 +147,7 @@ def _eyes(setting: Setting, address: str, sides: dict[float, float], found: Sket
 
 
 def _bends(setting: Setting) -> Iterator[tuple[str, complex, complex]]:
-    """The sites at which strings turn though no pulley of the text is there, with both ways away from them."""
+    """Yield the sites at which strings turn though no pulley of the text is there, with both ways away from them."""
     for line in setting.mechanism.lines:
         for (before, _), (site, after) in pairwise(pairwise(line.through)):
             if setting.owns(site) and not is_pulley(setting.plan.scene.bodies.get(site.rpartition(".")[0])):
@@ -157,7 +157,7 @@ def _bends(setting: Setting) -> Iterator[tuple[str, complex, complex]]:
 
 
 def _way(setting: Setting, site: str, other: str) -> complex:
-    """The direction from a site to its neighbour on a string, which may be elsewhere."""
+    """Return the direction from a site to its neighbour on a string, which may be elsewhere."""
     if setting.owns(other):
         return unit(setting.site(other) - setting.site(site))
     facing = setting.plan.scene.builder.faces.get(site)
@@ -165,7 +165,7 @@ def _way(setting: Setting, site: str, other: str) -> complex:
 
 
 def _axle(at: complex, before: complex, after: complex) -> complex:
-    """The middle of a small wheel that touches both parts of a string."""
+    """Return the middle of a small wheel that touches both parts of a string."""
     middle = unit(before + after)
     return at + WHEEL / abs(cross(middle, after)) * middle
 

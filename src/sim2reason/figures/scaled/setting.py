@@ -62,7 +62,7 @@ class Setting:
         self.legend: tuple[float, str] | None = None  # how long an arrow is, and for which speed
 
     def owns(self, address: str) -> bool:
-        """Whether something with this address belongs to the drawing."""
+        """Return whether something with this address belongs to the drawing."""
         return address.split(".", maxsplit=1)[0] in self.owners
 
     @cached_property
@@ -71,12 +71,12 @@ class Setting:
         return {address: body for address, body in self.plan.scene.bodies.items() if self.owns(address)}
 
     def look(self, address: str) -> BodyLook | None:
-        """How a body looks; None for what is no body of the text, or has no look."""
+        """Return how a body looks; None for what is no body of the text, or has no look."""
         body = self.bodies.get(address)
         return None if body is None else body.look
 
     def stands(self, address: str) -> bool:
-        """Whether the mechanism has a body at an address."""
+        """Return whether the mechanism has a body at an address."""
         return address in self.mechanism.body
 
     def place(self, address: str) -> Vector:
@@ -86,27 +86,27 @@ class Setting:
         return vector(self.frames.center(address).place)
 
     def at(self, address: str) -> complex:
-        """The same on the page."""
+        """Return the same on the page."""
         return self.view.at(self.place(address))
 
     def site(self, name: str) -> complex:
-        """A site on the page."""
+        """Return a site on the page."""
         return self.view.at(vector(self.frames.site(name).place))
 
     def velocity(self, address: str) -> complex:
-        """How fast a body moves at the start, in the units of the text."""
+        """Return how fast a body moves at the start, in the units of the text."""
         return self.view.way(vector(self.moving.center(address).velocity))
 
     def axes(self, address: str) -> Axes:
-        """Where the own axes of a body point."""
+        """Return where the own axes of a body point."""
         return self.plan.scene.builder.turned.get(address, UPRIGHT)
 
     def origin(self, owner: str) -> Vector:
-        """Where an entity stands."""
+        """Return where an entity stands."""
         return self.plan.scene.builder.origins.get(owner, (0.0, 0.0, 0.0))
 
     def extent(self, address: str) -> float:
-        """The radius of a body that the text or its collisions give; 0 where it does not matter."""
+        """Return the radius of a body that the text or its collisions give; 0 where it does not matter."""
         match self.look(address):
             case Spherical(radius):
                 return radius
@@ -141,7 +141,7 @@ class Setting:
         return {a: b for a, b in held.items() if b is not None and isinstance(self.look(b), Small)}
 
     def sizes(self, address: str) -> tuple[float, float]:
-        """The width and height of a block, in units; of slabs the lower one is the longer one."""
+        """Return the width and height of a block, in units; of slabs the lower one is the longer one."""
         look, usual = self.look(address), self.plan.sizes
         if not isinstance(look, Small) or look.kind != "slab":
             return min(usual.width, self._near(address)), usual.height
@@ -151,7 +151,7 @@ class Setting:
         return SLAB_LENGTH + SLAB_STEP * above, SLAB
 
     def _near(self, address: str) -> float:
-        """A little less than the distance to the nearest block beside this one, in units; but not too little."""
+        """Return a little less than the distance to the nearest block beside this one, in units; but not too little."""
         look = self.look(address)
         oblong = [a for a in self.bodies if isinstance(other := self.look(a), Small) and other.kind in BESIDE]
         if not isinstance(look, Small):
@@ -160,14 +160,14 @@ class Setting:
         return max(NARROW, 0.9 * min((abs(way) for way in ways if abs(way.imag) < abs(way.real)), default=math.inf))
 
     def radius(self, address: str) -> float:
-        """The radius with which a body is drawn, in units: of a block, half its height."""
+        """Return the radius with which a body is drawn, in units: of a block, half its height."""
         look, real = self.look(address), self.extent(address)
         if isinstance(look, Small):
             return max(RADII.get(look.kind, 0.5 * self.sizes(address)[1]), self.view.scale * real)
         return self.view.scale * real
 
     def along(self, address: str) -> complex:
-        """The way in which a block lies: along its face or its rail, else level."""
+        """Return the way in which a block lies: along its face or its rail, else level."""
         face = self.mechanism.contacts.get(address)
         slides = [c for c in self.mechanism.body[address].coordinates if c.kind == "slide"]
         if (face is None or face.turning) and len(slides) != 1:
@@ -178,11 +178,11 @@ class Setting:
         return (way if way.real >= 0.0 else -way) / (abs(way) or 1.0)
 
     def edge(self, site: str, way: complex) -> complex:
-        """Where a line that leaves a site along a unit vector comes out of the body, if that is a small one."""
+        """Return where a line that leaves a site along a unit vector comes out of the body, if that is a small one."""
         return self.rim(self.mechanism.site[site].body, self.site(site), way)
 
     def rim(self, body: str | None, at: complex, way: complex) -> complex:
-        """The same for a place on a body."""
+        """Return the same for a place on a body."""
         look = None if body is None else self.look(body)
         if body is None or not isinstance(look, Small) or abs(at - self.at(body)) > LIKE:
             return at
@@ -194,7 +194,7 @@ class Setting:
         return at + far * way
 
     def regions(self) -> Iterator[tuple[Region, str]]:
-        """The regions outside which forces cease, each once, with a body on which they act."""
+        """Yield the regions outside which forces cease, each once, with a body on which they act."""
         found: list[Region] = []
         for force in self.mechanism.forces:
             if force.region is not None and self.owns(force.body) and force.region not in found:
@@ -202,18 +202,18 @@ class Setting:
                 yield force.region, force.body
 
     def stated(self, owner: str, unit: str, value: float) -> str:
-        """A number of an entity as the text has it, if one of that size and unit is stated; else nothing."""
+        """Return a number of an entity as the text has it, if one of that size and unit is stated; else nothing."""
         return self.plan.stated(owner, unit, value)
 
     def once(self, owner: str, unit: str, value: float) -> str:
-        """The same, but nothing if the drawing has shown this number before."""
+        """Return the same, but nothing if the drawing has shown this number before."""
         text = self.stated(owner, unit, value)
         new = (owner, text) not in self._shown
         self._shown.add((owner, text))
         return text if new else ""
 
     def _places(self) -> Iterator[Vector]:
-        """What must be in sight."""
+        """Yield what must be in sight."""
         for body in self.members:
             yield self.place(body.name)
             if any(c.kind == "hinge" for c in body.coordinates):
@@ -243,13 +243,13 @@ class Setting:
                     yield vector(self.frames.site(site).place)
 
     def track(self, address: str) -> list[Vector]:
-        """The ends of the level and the upright diameter of a round track on which a body lies."""
+        """Return the ends of the level and the upright diameter of a round track on which a body lies."""
         middle = vector(self.frames[address].origin)
         radius = math.dist(middle, vector(self.frames.center(address).place))
         return [add(middle, scale(side * radius, way)) for way in (X, Z) for side in (-1.0, 1.0)]
 
     def _below(self, body: RigidBody) -> list[Vector]:
-        """The point of the ground below a body that can fall to it."""
+        """Return the point of the ground below a body that can fall to it."""
         floor = self.floor(body)
         if floor is None:
             return []
@@ -257,7 +257,7 @@ class Setting:
         return [(x, y, floor)]
 
     def floor(self, body: RigidBody) -> float | None:
-        """The height of level ground under a body, where it can meet it; None without any."""
+        """Return the height of level ground under a body, where it can meet it; None without any."""
         for coordinate in body.coordinates:
             upright = coordinate.kind == "slide" and coordinate.axis[2] > 1.0 - LIKE
             if upright and math.isfinite(coordinate.lower) and body.parent is None:

@@ -64,7 +64,7 @@ CROSS = 1.0  # length of an axis without numbers
 
 
 def axes(setting: Setting) -> Sketch:
-    """Nothing where no coordinate is called x or y."""
+    """Return nothing where no coordinate is called x or y."""
     found = Sketch()
     labels = {c.label: setting.view.way(c.axis) for body in setting.members for c in body.coordinates}
     if not {"x", "y"} & labels.keys():
@@ -122,7 +122,7 @@ def _walls(setting: Setting, way: complex) -> Iterator[complex]:
 
 
 def _placed(setting: Setting) -> bool:
-    """Whether the text states positions as coordinates."""
+    """Return whether the text states positions as coordinates."""
     names = {p.measure.name for p in setting.plan.scene.parameters if setting.owns(p.path)}
     return "position" in names
 
@@ -181,5 +181,5 @@ def _ticks(
 
 
 def _is_near(at: complex, arrow: Sequence[complex]) -> bool:
-    """Whether a tick would stand on a straight arrow, or touch it."""
+    """Return whether a tick would stand on a straight arrow, or touch it."""
     return from_segment(at, arrow[0], arrow[-1]) < MARGIN + TICK

@@ -24,16 +24,16 @@ class View:
     scale: float
 
     def way(self, vector: Vector) -> complex:
-        """A direction of the room on the page; shorter than 1 if it comes out of it."""
+        """Return a direction of the room on the page; shorter than 1 if it comes out of it."""
         return complex(inner(self.right, vector), inner(self.up, vector))
 
     def at(self, place: Vector) -> complex:
-        """A place of the room on the page."""
+        """Return a place of the room on the page."""
         return self.scale * self.way(place)
 
     @property
     def level(self) -> bool:
-        """Whether one looks from above."""
+        """Return whether one looks from above."""
         return abs(self.up[2]) < 1.0 - SMALL and abs(self.up[1]) > SMALL
 
     @property
@@ -43,7 +43,7 @@ class View:
 
 
 def sides(mechanism: Mechanism, members: Sequence[RigidBody]) -> tuple[Vector, Vector]:
-    """What is right and what is up: from the front, or from above where something moves away from the reader."""
+    """Return what is right and what is up: from the front, or from above where something moves away from the reader."""
     names = {body.name for body in members}
     thrust = next((burn.direction for burn in mechanism.burns if burn.body in names), None)
     if thrust is not None:
@@ -68,7 +68,7 @@ def sides(mechanism: Mechanism, members: Sequence[RigidBody]) -> tuple[Vector, V
 def fitting(
     places: Iterable[complex], bodies: Sequence[complex], largest: float, wanted: float, *, apart: float
 ) -> float:
-    """How many units to draw for a unit of length, so that `places` are in sight, about `wanted` units across.
+    """Return how many units to draw for a unit of length, so that `places` are in sight, about `wanted` units across.
 
     Small `bodies` keep `apart` if they can; `largest` is the width of the largest one.
     """

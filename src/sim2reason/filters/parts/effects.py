@@ -29,17 +29,17 @@ class Effect:
 
     @property
     def same(self) -> bool:
-        """Whether the answer stays what it was."""
+        """Return whether the answer stays what it was."""
         return self.change < SAME * self.tolerance
 
     @property
     def close(self) -> bool:
-        """Whether the answer would be paid, or nearly."""
+        """Return whether the answer would be paid, or nearly."""
         return self.change < NEARLY * self.tolerance
 
     @property
     def wrong(self) -> bool:
-        """Whether who makes it errs; nobody does by an approximation that holds."""
+        """Return whether who makes it errs; nobody does by an approximation that holds."""
         return not (self.same and self.simplification.sound_if_same)
 
     @property
@@ -119,12 +119,12 @@ def _until(candidate: Candidate) -> float:
 
 
 def _is_beside(simplification: Simplification, candidate: Candidate) -> bool:
-    """Whether it reads a motion otherwise, which the answer has nothing to do with."""
+    """Return whether it reads a motion otherwise, which the answer has nothing to do with."""
     return isinstance(simplification, OtherReading) and _is_of_no_motion(candidate)
 
 
 def _is_of_no_motion(candidate: Candidate) -> bool:
-    """Whether the answer follows from the scene alone, as a threshold does, whatever motion is recorded."""
+    """Return whether the answer follows from the scene alone, as a threshold does, whatever motion is recorded."""
     return candidate.question.query.moment is None and candidate.time == 0.0
 
 

@@ -12,7 +12,7 @@ LENGTH = Symbol("length")
 
 
 def size(whole: Expression) -> int:
-    """How many symbols it has at least, each as often as it stands there.
+    """Return how many symbols it has at least, each as often as it stands there.
 
     The size of a vector that is given is one, and so is a root that stands there again, as √(k/m) in A ω sin ωt.
     """
@@ -21,12 +21,12 @@ def size(whole: Expression) -> int:
 
 
 def has_logarithm(held: Expression) -> bool:
-    """Whether there is one, as an integral leaves it."""
+    """Return whether there is one, as an integral leaves it."""
     return (isinstance(held, Call) and held.function == "ln") or any(map(has_logarithm, held.parts))
 
 
 def _again(held: Expression, seen: set[Expression]) -> Iterator[Expression]:
-    """The roots in it that were met before, as large as they are."""
+    """Yield the roots in it that were met before, as large as they are."""
     if isinstance(held, Root) and held in seen:
         yield held
         return
@@ -43,7 +43,7 @@ def _with_lengths(held: Expression) -> Expression:
 
 
 def _is_given(component: Expression) -> bool:
-    """Whether a component is a number of the text, or the difference of two."""
+    """Return whether a component is a number of the text, or the difference of two."""
     match component:
         case Sum(terms):
             return all(map(_is_given, terms))

@@ -24,7 +24,7 @@ class Given:
 
     @property
     def paths(self) -> tuple[str, ...]:
-        """Where the numbers stand."""
+        """Return where the numbers stand."""
         return tuple(parameter.path for parameter in self.parameters)
 
     @property
@@ -55,7 +55,7 @@ class Elasticity:
 
 
 def givens(scene: Scene, left_open: Collection[str] = ()) -> list[Given]:
-    """What the text says in numbers; zeros, what a word tells and what it has `left_open` are not among it."""
+    """Return what the text says in numbers; zeros, what a word tells and what it has `left_open` are not among it."""
     found: dict[tuple[str, str], list[Parameter]] = {}
     for parameter in scene.parameters:
         if parameter.path not in left_open and _is_said(scene, parameter):
@@ -74,7 +74,7 @@ def _is_said(scene: Scene, parameter: Parameter) -> bool:
 
 
 def elasticities(candidate: Candidate) -> Iterator[Elasticity]:
-    """That of the answer to all that is given, each shifted by one part in a thousand.
+    """Yield that of the answer to all that is given, each shifted by one part in a thousand.
 
     Numbers that the worked solution does not use come first: one that has no bearing is found without the others.
     """
@@ -122,7 +122,7 @@ def matters(candidate: Candidate, found: Elasticity) -> bool:
 
 
 def shifted(study: Study, given: Given, until: float | None) -> Study | None:
-    """The motion with a number shifted, or None if there is none; the other way if this one is not valid.
+    """Return the motion with a number shifted, or None if there is none; the other way if this one is not valid.
 
     The components of a vector are shifted to opposite sides, so that it turns.
     """
@@ -147,13 +147,13 @@ def least(candidate: Candidate) -> int:
 
 
 def of_question(candidate: Candidate) -> int:
-    """How many numbers the question itself has: those that it states, and one that it leaves unknown."""
+    """Return how many numbers the question itself has: those that it states, and one that it leaves unknown."""
     moment = candidate.question.query.moment
     return len(moment.stated if moment is not None else ()) + bool(candidate.question.unknown)
 
 
 def shortfall(candidate: Candidate, moving: Sequence[Given]) -> str:
-    """What those that move the answer fall short of, in a few words; empty if they are enough.
+    """Return what those that move the answer fall short of, in a few words; empty if they are enough.
 
     The numbers that the question itself states count as well, and what it leaves unknown; g does not.
     """

@@ -46,7 +46,7 @@ class Factor:
 
 
 def product_of(candidate: Candidate) -> str:
-    """The product of stated numbers that the answer is, in a few words; empty if it is none."""
+    """Return the product of stated numbers that the answer is, in a few words; empty if it is none."""
     question = candidate.question
     views = VIEWS if question.unit == ANGLE else {"": float}
     scale = 1.0 if question.unit == ANGLE else parse_unit(question.unit).factor
@@ -63,7 +63,7 @@ def product_of(candidate: Candidate) -> str:
 
 
 def _products(factors: Sequence[Factor], candidate: Candidate, view: View) -> Iterator[float]:
-    """What that of all factors may be; those whose powers are no multiples of a half are the terms of one sum."""
+    """Yield what that of all factors may be; those whose powers are no multiples of a half are the terms of one sum."""
     each = [list(_plain(factor, candidate, view)) for factor in factors]
     terms = [factor for factor, plain in zip(factors, each, strict=True) if not plain]
     rest = _sum(terms) if terms else 1.0
@@ -72,7 +72,7 @@ def _products(factors: Sequence[Factor], candidate: Candidate, view: View) -> It
 
 
 def _sum(terms: Sequence[Factor]) -> float | None:
-    """A power of a sum of all terms, with either sign; None if their powers are not those of one."""
+    """Return a power of a sum of all terms, with either sign; None if their powers are not those of one."""
     rates = [term.power / term.value for term in terms]  # of (Σ ± x)^E the power of x is ± E x/Σ
     alike = max(map(abs, rates)) <= (1.0 + 4.0 * NEAR) * min(map(abs, rates))
     if not alike or len({term.unit for term in terms}) > 1:
@@ -146,7 +146,7 @@ def factors_of(candidate: Candidate, view: View) -> list[Factor] | None:
 
 
 def _of_question(candidate: Candidate, view: View) -> list[Factor] | None:
-    """Those that the question itself states; None if the answer is lost with one."""
+    """Return those that the question itself states; None if the answer is lost with one."""
     question, found = candidate.question, list[Factor]()
     rate = _rate(question, view)
     if question.unknown and question.given is not None:
@@ -176,7 +176,7 @@ def _rate(question: Question, view: View) -> float:
 
 
 def _power(here: float, there: float, factor: float) -> float | None:
-    """That with which something goes with a number that is taken times a factor; None if it changes its sign."""
+    """Return that with which something goes with a number that is taken times a factor; None if it changes its sign."""
     if not there / here > 0.0:
         return None
     power = log(there / here) / log(factor)
@@ -184,5 +184,5 @@ def _power(here: float, there: float, factor: float) -> float | None:
 
 
 def _in_si(value: float, unit: str) -> float:
-    """A number in SI units; an angle in radians."""
+    """Return a number in SI units; an angle in radians."""
     return value * parse_unit(unit).factor

@@ -27,7 +27,7 @@ class _Place(NamedTuple):
     value: tuple[float, float]  # what it is there
 
     def at(self, turned: float) -> tuple[float, float]:
-        """What it is there if an angle of the scene were turned, rad."""
+        """Return what it is there if an angle of the scene were turned, rad."""
         turn = turned if self.factor.unit == ANGLE and self.factor.path else 0.0
         return _raised(self.function(self.factor.value + turn), self.powers)
 
@@ -37,7 +37,7 @@ _Way = tuple[View, float, float | None]
 
 
 def sum_of(candidate: Candidate) -> str:
-    """The sum of two products of stated numbers that the answer is, in a few words; empty if it is none."""
+    """Return the sum of two products of stated numbers that the answer is, in a few words; empty if it is none."""
     question = candidate.question
     factors = factors_of(candidate, float) if question.unit != ANGLE else None
     if not factors or not 2 < len(factors) <= MOST:
@@ -63,7 +63,7 @@ def _fronts(value: float, share: float, terms: Terms) -> Iterator[tuple[float, f
 
 
 def _simple(term: float, part: float) -> list[float]:
-    """The simple factors, with their sign, with which a term is about a part."""
+    """Return the simple factors, with their sign, with which a term is about a part."""
     size, sign = abs(part), -1.0 if part < 0.0 else 1.0
     return [sign * front for front in SIMPLE if isclose(front * term, size, rel_tol=CLOSE)]
 
@@ -115,7 +115,7 @@ def _ways(factor: Factor, root: float) -> list[_Way]:
 
 
 def _places(factor: Factor, ways: Sequence[_Way], share: float) -> list[_Place]:
-    """Where a number may stand, by the share of the first term: in one term or both, or once more in one.
+    """Return where a number may stand, by the share of the first term: in one term or both, or once more in one.
 
     As k does in √(k² d² + k m v²).
     """
@@ -146,7 +146,7 @@ def _shapes(factor: Factor) -> Iterator[tuple[View, float]]:
 
 
 def _half(power: float, near: float) -> float | None:
-    """A power, which is a multiple of a half and not zero; None if it is not."""
+    """Return a power, which is a multiple of a half and not zero; None if it is not."""
     found = round(2.0 * power) / 2.0
     size = abs(found)
     return found if 0.0 < size <= HIGHEST and abs(power - found) <= (near * size if size > 1.0 else near) else None

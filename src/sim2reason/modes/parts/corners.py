@@ -138,7 +138,7 @@ def counterexample(
     *,
     signed: bool,
 ) -> Variation | None:
-    """A scene that is a counterexample, sought where the formula is negative, if not `signed`, or has no value.
+    """Return a scene that is a counterexample, sought where the formula is negative, if not `signed`, or has no value.
 
     Numbers are the scene's own times factors whose logarithms are at most `width`, all or some of them; half of them
     have any signs. None if none is found.
@@ -154,7 +154,7 @@ def counterexample(
 
 
 def _tried(variations: Variations, unfit: Array, is_counterexample: Callable[[Variation], bool]) -> Variation | None:
-    """The first counterexample among some sets of numbers, (n, s)."""
+    """Return the first counterexample among some sets of numbers, (n, s)."""
     here, answered = np.array([held.value for held in variations.symbols]), False
     distance = (np.abs(np.log(np.abs(unfit / here))) + OTHER_SIGN * (unfit * here < 0.0)).sum(1)
     most = SIMULATED[bool(changing(variations.study.mechanism))]

@@ -38,7 +38,7 @@ class FormulaValidity:
         self._unanswered: list[Study] = []  # motions far from the scene's own in which there is no answer
 
     def of_scene(self, whole: Expression) -> bool:
-        """Whether a formula holds with the scene's own numbers, which are those that cost least."""
+        """Return whether a formula holds with the scene's own numbers, which are those that cost least."""
         own = self._variations.own()
         self._near = [own] if own is not None and self._agrees(whole, own) else []
         return bool(self._near)
@@ -46,7 +46,7 @@ class FormulaValidity:
     def told(
         self, whole: Expression, rng: np.random.Generator, words: Words, *, signed: bool
     ) -> tuple[ClosedForm, tuple[Regime, ...]] | None:
-        """The formula as a text asks for it, and what that must assume; None if none agrees with the engine.
+        """Return the formula as a text asks for it, and what that must assume; None if none agrees with the engine.
 
         Where no sign is asked for, sizes stand between bars if no few regimes fix their signs.
         """
@@ -70,7 +70,7 @@ class FormulaValidity:
     def _sized(
         self, formula: ClosedForm, rng: np.random.Generator, words: Words
     ) -> tuple[ClosedForm, tuple[Regime, ...] | None]:
-        """Its absolute value, and what it assumes; no bars around what has one sign wherever that is so."""
+        """Return its absolute value, and what it assumes; no bars around what has one sign wherever that is so."""
         found = formula.of_sizes([other.values for other in (*self._near, *self._wide)])
         assumed = self.assumed(found, rng, words)
         if not assumed:
@@ -80,7 +80,7 @@ class FormulaValidity:
         return (plainer if self.assumed(plainer, rng, words) == assumed else found), assumed
 
     def near(self, formula: Expression, rng: np.random.Generator) -> bool:
-        """Whether as many fresh numbers as are needed are found, of one regime with the scene's own."""
+        """Return whether as many fresh numbers as are needed are found, of one regime with the scene's own."""
         own = self._near[0]
         for width in NEAR:
             found = [own]
@@ -106,7 +106,7 @@ class FormulaValidity:
         )
 
     def assumed(self, formula: ClosedForm, rng: np.random.Generator, words: Words) -> tuple[Regime, ...] | None:
-        """The fewest regimes that leave no scene in which the formula does not hold; None if no few do.
+        """Return the fewest regimes that leave no scene in which the formula does not hold; None if no few do.
 
         And those that are told always, first of all. Once they are chosen, a counterexample is looked for.
         """
@@ -144,7 +144,7 @@ class FormulaValidity:
         return chosen
 
     def _fewest(self, kept: Sequence[Regime], excluding: Sequence[set[Regime]]) -> tuple[Regime, ...] | None:
-        """The fewest regimes of which one at least is in each of some sets, with all that are told always.
+        """Return the fewest regimes of which one at least is in each of some sets, with all that are told always.
 
         Where some few do, they also leave no scene that begins in another way or loses one, and then has no answer: a
         text that does not exclude that seems to ask for it, too.
@@ -162,15 +162,15 @@ class FormulaValidity:
 
     @staticmethod
     def _leaving_out(other: Variation, kept: Sequence[Regime]) -> set[Regime]:
-        """The regimes of which each leaves out a scene."""
+        """Return the regimes of which each leaves out a scene."""
         return {held for held in kept if not held.holds(other.study, other.until)}
 
     def _missed(self, formula: Expression, told: Sequence[Regime], other: Variation) -> bool:
-        """Whether a formula does not hold in a scene which is as told."""
+        """Return whether a formula does not hold in a scene which is as told."""
         return not self._leaving_out(other, told) and not self._agrees(formula, other)
 
     def _leaving(self, held: Regime, told: Sequence[Regime]) -> Variation | None:
-        """A scene that is not in a regime, or as close to its end as can be, though what is told may still hold.
+        """Return a scene that is not in a regime, or as close to its end as can be, though what is told may still hold.
 
         None where there has been one.
         """
@@ -210,7 +210,7 @@ class FormulaValidity:
             yield other
 
     def _shared(self, words: Words) -> list[Regime]:
-        """The regimes of all scenes that are near."""
+        """Return the regimes of all scenes that are near."""
         own, *others = self._near
         found = regimes(own.study, words, own.until)
         if own.query.hides:  # the text does not tell the motion
@@ -251,6 +251,6 @@ def _kept(held: Regime) -> Margin:
 
 
 def _some(found: Sequence[Regime], few: int) -> Iterator[tuple[Regime, ...]]:
-    """One of them, or a few."""
+    """Yield one of them, or a few."""
     for count in range(1, few + 1):
         yield from combinations(found, count)

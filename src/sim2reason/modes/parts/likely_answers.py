@@ -11,7 +11,7 @@ from sim2reason.solutions.derivation import derivation
 
 
 def likely_answers(query: Query, study: Study, words: Words, path: str) -> Callable[[float], float] | None:
-    """The answer to a query about a limit by the value of the number at an address, as the formula for it says.
+    """Return the answer to a query about a limit by the value of the number at an address, as the formula for it says.
 
     0 where it has no value. None of other queries, and where none is derived.
     """
@@ -32,7 +32,7 @@ def likely_answers(query: Query, study: Study, words: Words, path: str) -> Calla
 
 
 def likely_answer(formula: Expression, at: Mapping[str, float], factor: float) -> float:
-    """The answer that a formula leads to, which counts in `factor` of its unit; 0 where it has no value."""
+    """Return the answer that a formula leads to, which counts in `factor` of its unit; 0 where it has no value."""
     with suppress(ValueError, ArithmeticError):
         return formula.value(at).real / factor
     return 0.0

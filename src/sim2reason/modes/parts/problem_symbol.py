@@ -26,11 +26,11 @@ class ProblemSymbol:
 
     @property
     def of_world(self) -> bool:
-        """Whether it is a number of the world, as g is, and of nothing in it."""
+        """Return whether it is a number of the world, as g is, and of nothing in it."""
         return self.path.startswith("world.")
 
     def counted(self, value: float) -> float:
-        """A value of it as formulas count: in radians and metres, where it is said in degrees or kilometres."""
+        """Return a value of it as formulas count: in radians and metres, where it is said in degrees or kilometres."""
         return value * factor(self.unit)
 
 
@@ -45,12 +45,12 @@ class Variation:
 
     @property
     def until(self) -> float:
-        """When all that the answer depends on has happened, s."""
+        """Return when all that the answer depends on has happened, s."""
         return KINDS[self.query.kind].time(self.query, self.study) or 0.0
 
     @property
     def story(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
-        """What happens before that, in order; turns change nothing."""
+        """Return what happens before that, in order; turns change nothing."""
         return self.study.trace.story(self.until)
 
     @property
@@ -67,7 +67,7 @@ class Variation:
 
 
 def answered(query: Query, study: Study) -> tuple[Study, Query, float] | None:
-    """A motion with the answer in it; None if it has none as far as it is followed."""
+    """Return a motion with the answer in it; None if it has none as far as it is followed."""
     answer = KINDS[query.kind].loose_answer(query, study)
     time = KINDS[query.kind].time(query, study)
     if answer is None or not isfinite(answer) or time is None or time > study.trace.stable_until:

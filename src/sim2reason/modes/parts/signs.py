@@ -11,7 +11,7 @@ from sim2reason.solutions.algebra.functions import values
 
 
 def sums_in(held: Expression) -> Iterator[Sum]:
-    """All sums in a formula."""
+    """Yield all sums in a formula."""
     if isinstance(held, Sum):
         yield held
     for part in held.parts:

@@ -184,14 +184,14 @@ class Variations:
         return tuple(values) if sign_of(held, self._counted(values)) != sign else None
 
     def _size(self, held: Expression, values: Sequence[float], sign: float | None) -> float:
-        """How far a sum is from turning its sign."""
+        """Return how far a sum is from turning its sign."""
         try:
             return held.value(self._counted(values)).real * (sign or 1.0)
         except (ValueError, ArithmeticError):
             return -inf
 
     def _is_steep(self, values: Sequence[float]) -> bool:
-        """Whether an angle would be as good as a right one, where the text's is not."""
+        """Return whether an angle would be as good as a right one, where the text's is not."""
         return any(
             held.unit == "deg" and abs(held.value) <= STEEPEST < abs(value) < STRAIGHT - STEEPEST
             for held, value in zip(self.symbols, values, strict=True)
@@ -236,7 +236,7 @@ class Variations:
         return {held.symbol: held.counted(value) for held, value in zip(self.symbols, values, strict=True)}
 
     def _asking(self, values: Sequence[float]) -> Query:
-        """The query with some numbers, and with the answer that it likely has with them."""
+        """Return the query with some numbers, and with the answer that it likely has with them."""
         moment = self.query.moment
         numbers = [value for held, value in zip(self.symbols, values, strict=True) if not held.path]
         query = replace(self.query, moment=moment.having(numbers)) if moment is not None else self.query
@@ -247,7 +247,7 @@ class Variations:
 
     @staticmethod
     def _waits(query: Query) -> bool:
-        """Whether the motion brings about what is asked about."""
+        """Return whether the motion brings about what is asked about."""
         return query.moment is not None and bool(query.moment.event or query.moment.channels)
 
     def _ends(self, query: Query) -> tuple[float, ...]:

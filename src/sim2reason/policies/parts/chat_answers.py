@@ -43,7 +43,7 @@ class Fault:
 
 
 def read(reply: Reply | NoReply, hidden: Callable[[str], str]) -> Completion | Fault:
-    """The completion in a reply, or what is wrong with it; `hidden` takes keys out of whatever is kept."""
+    """Return the completion in a reply, or what is wrong with it; `hidden` takes keys out of whatever is kept."""
     if isinstance(reply, NoReply):
         return Fault(reply.reason, "again")
     if reply.status != 200:
@@ -78,7 +78,7 @@ def _completion(choice: Mapping[str, Any], usage: object, hidden: Callable[[str]
 
 
 def _refusal(reply: Reply, hidden: Callable[[str], str]) -> Completion | Fault:
-    """What another status than 200 means. Nothing is repeated of what is said about a key."""
+    """Return what another status than 200 means. Nothing is repeated of what is said about a key."""
     found = _json(reply.body) or {}
     said = _said(found, hidden)
     if reply.status in BUSY:
@@ -99,7 +99,7 @@ def _remedy(status: int, said: str) -> str:
 
 
 def _said(found: Mapping[str, object], hidden: Callable[[str], str]) -> str:
-    """What the endpoint says about its error, with a colon."""
+    """Return what the endpoint says about its error, with a colon."""
     text = _reason(found.get("error", found.get("message", found.get("detail"))))
     line = " ".join(hidden(_whole(text)).split())[:SHOWN]
     return f": {line}" if line else ""
@@ -131,7 +131,7 @@ def _json(body: bytes) -> dict[str, object] | None:
 
 
 def _text(content: object) -> str:
-    """A text, or the texts of a list of parts; empty for what is none."""
+    """Return a text, or the texts of a list of parts; empty for what is none."""
     if isinstance(content, str):
         return content
     if isinstance(content, list):
@@ -141,7 +141,7 @@ def _text(content: object) -> str:
 
 
 def _whole(text: str) -> str:
-    """The text with a mark for half of a surrogate pair, which no file can hold."""
+    """Return the text with a mark for half of a surrogate pair, which no file can hold."""
     return text.encode(errors="replace").decode()
 
 

@@ -74,7 +74,7 @@ class Decoder:
         return import_module("torch").cuda.device(device) if device.type == "cuda" else nullcontext()
 
     def _recorded(self, rows: int, length: int) -> "_RecordedPass":
-        """The pass for at least so many rows and tokens; the last one, if it has room."""
+        """Return the pass for at least so many rows and tokens; the last one, if it has room."""
         held = self._held
         if held is None or held.rows < rows or held.length < length:
             rows, length = (rows, length) if held is None else (max(rows, held.rows), max(length, held.length))

@@ -34,7 +34,7 @@ class _AnyStatus(HTTPErrorProcessor):
     """Hands every reply on as it is: errors are data here, and redirections are not followed."""
 
     def http_response(self, request: Request, response: HTTPResponse) -> HTTPResponse:
-        """The same."""
+        """Return the same."""
         del request
         return response
 
@@ -64,7 +64,7 @@ def post(url: str, body: bytes, headers: Mapping[str, str], timeout: float) -> R
 
 
 def _read(response: HTTPResponse, deadline: float) -> bytes | str:
-    """The whole body, or why not."""
+    """Return the whole body, or why not."""
     parts: list[bytes] = []
     size = 0
     while part := response.read1(CHUNK):

@@ -32,7 +32,7 @@ class Secret:
         return f"Secret({HIDDEN})"
 
     def headers(self) -> dict[str, str]:
-        """The header that carries the key, if there is one."""
+        """Return the header that carries the key, if there is one."""
         return {"Authorization": f"Bearer {self._text}"} if self._text else {}
 
     def hidden(self, text: str) -> str:
@@ -42,7 +42,7 @@ class Secret:
         return text
 
     def stands_in(self, value: JsonValue) -> bool:
-        """Whether the key stands anywhere in a text, or in the texts and names of a list or an object."""
+        """Return whether the key stands anywhere in a text, or in the texts and names of a list or an object."""
         match value:
             case str():
                 return any(spelling in value for spelling in self._spellings)
@@ -60,7 +60,7 @@ class Secret:
 
 
 def from_environment(variable: str | None, environment: Mapping[str, str] = os.environ) -> Secret:
-    """The key that the variable holds; PolicyError, which names the variable alone, if none could be sent."""
+    """Return the key that the variable holds; PolicyError, which names the variable alone, if none could be sent."""
     if variable is None:
         return Secret()
     key = environment.get(variable, "").strip()

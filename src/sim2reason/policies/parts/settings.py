@@ -26,7 +26,7 @@ def held_to(check: Callable[[T], object], value: T) -> T:
 
 
 def first_fault(error: ValidationError) -> str:
-    """The first fault, in one line: where, and what is wrong with it."""
+    """Return the first fault, in one line: where, and what is wrong with it."""
     detail = error.errors(include_url=False, include_input=False)[0]
     where = ".".join(map(str, detail["loc"])) or "all of it"
     said = {"extra_forbidden": "no such setting", "missing": "is missing"}.get(detail["type"], detail["msg"])
@@ -95,7 +95,7 @@ def settings_in(path: Path) -> dict[str, object]:
 
 
 def of_kind(registry: Registry[type[M]], settings: Mapping[str, object], place: str, fault: Fault) -> M:
-    """The member that settings describe: their `kind` is its registered name, the rest are its own.
+    """Return the member that settings describe: their `kind` is its registered name, the rest are its own.
 
     Raises:
         Sim2ReasonError: of the class `fault`, a setting that is unknown, missing or makes no sense, with its place.
@@ -127,7 +127,7 @@ def configuration(
     built: Callable[[dict[str, object]], T],
     fault: Fault,
 ) -> T:
-    """What is built of a YAML file, or of settings; `out` stands for the folder that they name.
+    """Return what is built of a YAML file, or of settings; `out` stands for the folder that they name.
 
     Raises:
         Sim2ReasonError: of the class `fault`, a setting that is unknown, missing or makes no sense; and what `built`

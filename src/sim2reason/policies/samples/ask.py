@@ -29,7 +29,7 @@ class Asked:
 
 
 def sample_seed(seed: int, name: str, sample: int) -> int:
-    """A seed of its own for each sample of each problem: the same in every run, from 0 to 2³¹ - 1."""
+    """Return a seed of its own for each sample of each problem: the same in every run, from 0 to 2³¹ - 1."""
     digest = blake2b(f"{seed}\0{name}\0{sample}".encode(errors="replace"), digest_size=4, person=b"sample").digest()
     return int.from_bytes(digest, "big") >> 1
 

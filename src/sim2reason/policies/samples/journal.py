@@ -37,17 +37,17 @@ class FinishedSample(BaseModel):
 
     @property
     def key(self) -> tuple[str, int]:
-        """What no other line has."""
+        """Return what no other line has."""
         return self.id, self.sample
 
 
 def prompt_hash(prompt: str) -> str:
-    """What a journal keeps of a prompt, to know it again."""
+    """Return what a journal keeps of a prompt, to know it again."""
     return sha256(prompt.encode(errors="replace")).hexdigest()[:16]
 
 
 def finished(path: Path) -> Iterator[FinishedSample]:
-    """The samples of a journal, in the order in which they came; none if there is no file.
+    """Yield the samples of a journal, in the order in which they came; none if there is no file.
 
     Raises:
         EvaluationError: a line that is none, but for a torn last one, or the same sample twice.
@@ -122,11 +122,11 @@ class SampleJournal:
             self._file.close()
 
     def __len__(self) -> int:
-        """How many samples are finished."""
+        """Return how many samples are finished."""
         return len(self._known)
 
     def holds(self, request: SampleRequest) -> bool:
-        """Whether a request is finished; EvaluationError if it was for another prompt or with another seed."""
+        """Return whether a request is finished; EvaluationError if it was for another prompt or with another seed."""
         known = self._known.get((request.id, request.sample))
         if known is not None and known != (request.seed, prompt_hash(request.prompt)):
             raise EvaluationError(f"{self.path}: {request.id} was asked in other words; choose a new folder")

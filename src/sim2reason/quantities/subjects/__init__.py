@@ -29,7 +29,7 @@ class Sense:
 
 @dataclass(frozen=True)
 class Subject(ABC):
-    """One kind of subject; a quantity names its own by `of`. Each has a file of its own.
+    """A kind of subject, such as bodies or strings, to which quantities apply; a quantity names its own by `of`.
 
     Class data:
         name: what one of them is called, ``body``.
@@ -43,7 +43,7 @@ class Subject(ABC):
 
     @abstractmethod
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """All of this kind, in the order of the mechanism."""
+        """Return all of this kind, in the order of the mechanism."""
 
     @abstractmethod
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
@@ -51,44 +51,44 @@ class Subject(ABC):
 
     @abstractmethod
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """Whether one has what a quantity needs of it (such as its ``mass``) and the text says it.
+        """Return whether one has what a quantity needs of it (such as its ``mass``) and the text says it.
 
         `said` holds the paths of all numbers that the text says.
         """
 
     def fills(self, mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> dict[str, str]:
-        """What stands for each of the `extras`; by default there are none."""
+        """Return what stands for each of the `extras`; by default there are none."""
         del mechanism, name, mentions
         return {}
 
     def point(self, mechanism: Mechanism, name: str, phrase: str) -> str:
-        """How the text speaks of the point of it that has a place and a velocity; by default as of itself."""
+        """Return how the text speaks of the point of it that has a place and a velocity; by default as of itself."""
         del mechanism, name
         return phrase
 
     def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
-        """The directions of one for which the text has words; none by default."""
+        """Return the directions of one for which the text has words; none by default."""
         del mechanism, name
         return []
 
     def directions(self, mechanism: Mechanism, name: str) -> list[Vector]:
-        """The directions in which one can move in the room, if they do not change; none by default."""
+        """Return the directions in which one can move in the room, if they do not change; none by default."""
         del mechanism, name
         return []
 
     def label(self, phrase: str) -> str:
-        """A phrase for the legend of a plot; of *block A* the letter."""
+        """Return a phrase for the legend of a plot; of *block A* the letter."""
         words = phrase.removeprefix("the ").split()
         return words[1] if len(words) == 2 and len(words[1]) <= LETTERS else " ".join(words)
 
 
 def all_said(need: str, mechanism: Mechanism, said: Collection[str]) -> bool:
-    """Whether the text says a number (such as ``mass``) of every body that has it."""
+    """Return whether the text says a number (such as ``mass``) of every body that has it."""
     return all(is_said(need, body.name, said) for body in mechanism.bodies if getattr(body, need, 0.0) != 0.0)
 
 
 def is_said(need: str, name: str, said: Collection[str]) -> bool:
-    """Whether the text says a number of what is called `name`; a ``dry_mass`` says the mass as well."""
+    """Return whether the text says a number of what is called `name`; a ``dry_mass`` says the mass as well."""
     if f"{name}.{need}" in said:
         return True
     return any(path.startswith(f"{name}.") and path.endswith(f"_{need}") for path in said)

@@ -18,7 +18,7 @@ UPWARD: Vector = (0.0, 0.0, 1.0)
 
 @dataclass(frozen=True)
 class Axles(Subject):
-    """The bodies that turn about a fixed axle of their own and are held by that axle alone.
+    """Bodies that turn about a fixed axle and are held by that axle alone, as subjects.
 
     A light rod with its load at one point is none of them: the force in the rod is that of the axle.
     """
@@ -68,7 +68,7 @@ DIRECTIONS = "directions of the string's parts"
 
 @dataclass(frozen=True)
 class Pulleys(Subject):
-    """Every pulley over which a string runs, by its address; a fixed pulley as well as one on a body."""
+    """Pulleys as subjects, named by their addresses: fixed ones and those on bodies."""
 
     name = slot = "pulley"
 

@@ -26,21 +26,21 @@ AXES = ("x", "y", "z")  # labels of coordinates along axes that the text defines
 
 @dataclass(frozen=True)
 class Bodies(Subject):
-    """Every body; those whose centre of mass can move are spoken of."""
+    """Bodies as subjects; texts ask about those whose centre of mass can move."""
 
     name = slot = "body"
     extras = frozenset({"ground"})
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """All bodies, massless ones and wheels among them."""
+        """Return all bodies, massless ones and wheels among them."""
         return tuple(mechanism.body)
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """Those that can move, but for the wheels of pulleys: a pulley is no disc that the text follows."""
+        """Return those that can move, but for the wheels of pulleys: a pulley is no disc that the text follows."""
         return {name: mentions[name] for name in mechanism.body if name in mentions and moves(mechanism, name)}
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """Whether the body has it and the text says it at the body's address."""
+        """Return whether the body has it and the text says it at the body's address."""
         return getattr(mechanism.body[name], need, 1.0) != 0.0 and is_said(need, name, said)
 
     def fills(self, mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> dict[str, str]:
@@ -49,7 +49,7 @@ class Bodies(Subject):
         return {"ground": " relative to the ground" if rides(mechanism, name) else ""}
 
     def point(self, mechanism: Mechanism, name: str, phrase: str) -> str:
-        """The centre of mass of what has a size and swings; what turns about its centre moves as that does."""
+        """Return the centre of mass of what has a size and swings; what turns about its centre moves as that does."""
         swings = any(mechanism.body[name].inertia) and center_path(mechanism, name).swings
         return f"the centre of mass of {phrase}" if swings else phrase
 
@@ -64,17 +64,17 @@ class Bodies(Subject):
         return _of_path(path) or (right if path.straight else [])
 
     def directions(self, mechanism: Mechanism, name: str) -> list[Vector]:
-        """Those of its own and of what carries it; none of a path that bends."""
+        """Return those of its own and of what carries it; none of a path that bends."""
         path = center_path(mechanism, name)
         return [] if path.bends else list(path.ways)
 
     def label(self, phrase: str) -> str:
-        """Its letter, or its noun."""
+        """Return its letter, or its noun."""
         return phrase.removeprefix("the ") if phrase.startswith("the ") else phrase.rpartition(" ")[2]
 
 
 def moves(mechanism: Mechanism, name: str) -> bool:
-    """Whether the centre of mass of a body can move, and it is not the wheel of a pulley.
+    """Return whether the centre of mass of a body can move, and it is not the wheel of a pulley.
 
     What has no mass and turns, as a light arm on a carriage does, has no centre of mass, and no point is meant.
     """
@@ -89,7 +89,7 @@ def moves_in_plane(mechanism: Mechanism, name: str) -> bool:
 
 
 def _of_path(path: CenterPath) -> list[Sense]:
-    """The directions for which English has words; right is only one where the text fixes it, as a label says."""
+    """Return the directions for which English has words; right is only one where the text fixes it, as a label says."""
     if not path.rises:
         return []
     if not path.straight:
@@ -103,7 +103,7 @@ ROD = "rod"  # the last part of its address
 
 @dataclass(frozen=True)
 class HungBodies(Subject):
-    """Every small body at the end of a light rod on a hinge, on which nothing but the rod and weight acts."""
+    """Small bodies at the end of a light rod on a hinge, on which only the rod and gravity act, as subjects."""
 
     name, slot = "hung body", "rod"
 
@@ -133,22 +133,22 @@ def _hangs(mechanism: Mechanism, body: RigidBody) -> bool:
 
 @dataclass(frozen=True)
 class TurningBodies(Subject):
-    """Every body that a hinge turns, its own or one of what carries it."""
+    """Bodies that turn about a hinge, their own or that of a body that carries them, as subjects."""
 
     name, slot = "turning body", "body"
     extras = frozenset({"net"})
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """All that turn, wheels of pulleys among them."""
+        """Return all that turn, wheels of pulleys among them."""
         return tuple(name for name in mechanism.body if turning_axes(mechanism, name))
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """Those whose turning can be seen: not pulleys, nor bodies so small that they have no size."""
+        """Return those whose turning can be seen: not pulleys, nor bodies so small that they have no size."""
         seen = [name for name in self.names(mechanism) if name in mentions and not is_pulley_wheel(mechanism, name)]
         return {name: mentions[name] for name in seen if _has_size(mechanism, name)}
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """Whether the body has it and the text says it at the body's address."""
+        """Return whether the body has it and the text says it at the body's address."""
         return Bodies().gives(need, mechanism, name, said)
 
     def fills(self, mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> dict[str, str]:
@@ -158,7 +158,7 @@ class TurningBodies(Subject):
 
 
 def _has_size(mechanism: Mechanism, name: str) -> bool:
-    """Whether a body is no point: it has a moment of inertia, or it is light and its own hinge turns it."""
+    """Return whether a body is no point: it has a moment of inertia, or it is light and its own hinge turns it."""
     body = mechanism.body[name]
     return any(body.inertia) or (body.mass == 0.0 and any(c.kind == "hinge" for c in body.coordinates))
 
@@ -168,7 +168,7 @@ ALL = ""  # its only name
 
 @dataclass(frozen=True)
 class Whole(Subject):
-    """Everything; a question about it names nothing."""
+    """The whole scene as a subject, which questions do not name."""
 
     name, slot = "whole", "all"
 
@@ -183,7 +183,7 @@ class Whole(Subject):
         return {ALL: ""}
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """Whether the text says it of everything that has it."""
+        """Return whether the text says it of everything that has it."""
         del name
         return all_said(need, mechanism, said)
 

@@ -12,26 +12,26 @@ ANY = "the surface beneath it"
 
 @dataclass(frozen=True)
 class Contacts(Subject):
-    """Every resting body, for what its face does to it."""
+    """Bodies on faces as subjects of contact forces."""
 
     name, slot = "contact", "body"
     extras = frozenset({"surface"})
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """All bodies that lie on a face."""
+        """Return all bodies that lie on a face."""
         return tuple(mechanism.contacts)
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """Those of the text."""
+        """Return those of the text."""
         return {name: mentions[name] for name in mechanism.contacts if name in mentions}
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """A force on a face comes from everything that is there."""
+        """Return a force on a face comes from everything that is there."""
         del name
         return all_said(need, mechanism, said)
 
     def fills(self, mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> dict[str, str]:
-        """The body or the plane that it lies on, by its name where the text has one that means nothing else."""
+        """Return the body or the plane that it lies on, by its name where the text has one that means nothing else."""
         return {"surface": surface(mechanism, name, mentions)}
 
 
@@ -50,7 +50,7 @@ def surface(mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> str
 
 @dataclass(frozen=True)
 class Hands(Subject):
-    """The one hand of a text, by the string part that it draws in."""
+    """The hand of a scene as a subject, named by the part of a string that it pulls."""
 
     name, slot = "hand", "hand"
 

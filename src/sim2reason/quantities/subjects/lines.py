@@ -10,7 +10,7 @@ from sim2reason.quantities.subjects import Sense, Subject, all_said, is_said
 def line_phrases(
     mechanism: Mechanism, mentions: Mapping[str, str], lines: Iterable[Line], noun: str, *, alone: bool
 ) -> dict[str, str]:
-    """A phrase for every line that can be told from the others of its kind, by name.
+    """Return a phrase for every line that can be told from the others of its kind, by name.
 
     One that is a body of the text goes by its mention, the only one of its kind, if it is `alone`, by its noun.
     """
@@ -31,7 +31,7 @@ def line_phrases(
 
 
 def pulleys(mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-    """The pulleys of the text by what carries them: the body, or for fixed ones their own address."""
+    """Return the pulleys of the text by what carries them: the body, or for fixed ones their own address."""
     found: dict[str, str] = {}
     for address in mentions:
         site = mechanism.site.get(f"{address}.left")
@@ -41,7 +41,7 @@ def pulleys(mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]
 
 
 def _end(mechanism: Mechanism, name: str, mentions: Mapping[str, str], carriers: Mapping[str, str]) -> str:
-    """What a line ends at, in words; empty for an end that the text has no name for."""
+    """Return what a line ends at, in words; empty for an end that the text has no name for."""
     owner, site = name.rpartition(".")[0], mechanism.site[name]
     if owner in mentions:  # the rim of a pulley
         return mentions[owner]
@@ -52,7 +52,7 @@ def _end(mechanism: Mechanism, name: str, mentions: Mapping[str, str], carriers:
 
 
 def ends_label(phrase: str) -> str:
-    """The ends in a phrase, for a legend: *block A – pulley P*."""
+    """Return the ends in a phrase, for a legend: *block A – pulley P*."""
     ends = phrase.partition(" between ")[2] or phrase
     said = ends.replace("the axle of ", "axle of ").replace("the ", "").replace(" and ", " – ")
     return f"{said} (part)" if phrase.startswith("the part") else said
@@ -63,20 +63,20 @@ STRETCHED = "stretched"
 
 @dataclass(frozen=True)
 class Springs(Subject):
-    """Every spring."""
+    """Springs as subjects of quantities."""
 
     name = slot = "spring"
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """All of them."""
+        """Return all of them."""
         return tuple(line.name for line in mechanism.lines if isinstance(line.law, Elastic))
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """Those with a name of their own, or that can be told by their ends."""
+        """Return those with a name of their own, or that can be told by their ends."""
         return springs(mechanism, mentions)
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """Whether the text says a number of the spring, its ``stiffness`` or its natural ``length``."""
+        """Return whether the text says a number of the spring, its ``stiffness`` or its natural ``length``."""
         return is_said(need, mechanism.line[name].whole, said)
 
     def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
@@ -85,40 +85,40 @@ class Springs(Subject):
         return [Sense(STRETCHED, ZERO)]
 
     def label(self, phrase: str) -> str:
-        """Its name, or its ends."""
+        """Return its name, or its ends."""
         return ends_label(phrase)
 
 
 def springs(mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-    """A phrase for every spring that can be told from the others, by name."""
+    """Return a phrase for every spring that can be told from the others, by name."""
     elastic = [line for line in mechanism.lines if isinstance(line.law, Elastic)]
     return line_phrases(mechanism, mentions, elastic, "spring", alone=True)
 
 
 @dataclass(frozen=True)
 class Strings(Subject):
-    """Every string part, pulls among them."""
+    """Parts of strings as subjects of quantities, including those that a hand pulls."""
 
     name = slot = "string"
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """All parts, those among them that a constant force draws in."""
+        """Return all parts, those among them that a constant force draws in."""
         return tuple(line.name for line in mechanism.lines if isinstance(line.law, Inextensible | ConstantTension))
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """Those that can be told by their ends."""
+        """Return those that can be told by their ends."""
         return strings(mechanism, mentions)
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """What a string carries comes from everything that is there."""
+        """Return whether the text gives the need of every body: a tension depends on all of them."""
         del name
         return all_said(need, mechanism, said)
 
     def label(self, phrase: str) -> str:
-        """Its ends: *block A – pulley P*."""
+        """Return its ends: *block A – pulley P*."""
         return ends_label(phrase)
 
 
 def strings(mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-    """A phrase for every string part that may go slack and can be told from the others, by name."""
+    """Return a phrase for every string part that may go slack and can be told from the others, by name."""
     return line_phrases(mechanism, mentions, mechanism.strings, "string", alone=not mechanism.pulls)

@@ -13,18 +13,18 @@ AND = " & "
 
 @dataclass(frozen=True)
 class Pairs(Subject):
-    """Every two bodies that may meet or attract each other, as ``a & b``."""
+    """Pairs of bodies that can collide or attract each other, as subjects named ``a & b``."""
 
     name = slot = "pair"
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """All pairs of meetings, then those of attractions."""
+        """Return all pairs of meetings, then those of attractions."""
         met = [AND.join(meeting.names) for meeting in mechanism.meetings if len(meeting.names) == 2]
         drawn = [AND.join((pull.a, pull.b)) for pull in mechanism.attractions]
         return tuple(dict.fromkeys([*met, *drawn]))
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """As in: pucks A and B; only where both are named and one can move."""
+        """Return the phrases for the moment, such as *pucks A and B*; only where both are named and one can move."""
         found: dict[str, str] = {}
         for name in self.names(mechanism):
             a, b = members(name)
@@ -37,13 +37,13 @@ class Pairs(Subject):
         return all(Bodies().gives(need, mechanism, body, said) for body in members(name))
 
     def point(self, mechanism: Mechanism, name: str, phrase: str) -> str:
-        """The centres of what meets before they do."""
+        """Return the centres of what meets before they do."""
         wide = any(AND.join(met.names) == name and met.distance > 0.0 for met in mechanism.meetings)
         return f"the centres of {phrase}" if wide else phrase
 
 
 def members(name: str) -> tuple[str, str]:
-    """The two bodies of a pair."""
+    """Return the two bodies of a pair."""
     a, _, b = name.partition(AND)
     return a, b
 
@@ -57,7 +57,7 @@ def pair(one: str, other: str) -> str:
 
 @dataclass(frozen=True)
 class RelativeBodies(Subject):
-    """Every two bodies that move, in either order, as ``a & b``: the first one relative to the second one."""
+    """Ordered pairs of moving bodies as subjects named ``a & b``: the first relative to the second."""
 
     name, slot = "body relative to another", "relative"
 

@@ -26,22 +26,22 @@ class CenterPath:
 
     @property
     def straight(self) -> bool:
-        """Whether it is one straight line."""
+        """Return whether it is one straight line."""
         return len(self.ways) == 1 and not self.bends
 
     @property
     def rises(self) -> bool:
-        """Whether it can go up or down."""
+        """Return whether it can go up or down."""
         return any(abs(way[2]) > EVEN for way in self.ways) or (self.bends and any(not upright(t) for t in self.turns))
 
 
 def upright(axis: Vector) -> bool:
-    """Whether an axis is vertical, so that what turns about it stays level."""
+    """Return whether an axis is vertical, so that what turns about it stays level."""
     return hypot(axis[0], axis[1]) <= EVEN
 
 
 def chain(mechanism: Mechanism, name: str) -> list[RigidBody]:
-    """A body and all that carry it, itself first."""
+    """Return a body and all that carry it, itself first."""
     found: list[RigidBody] = []
     step: str | None = name
     while step is not None:
@@ -51,7 +51,7 @@ def chain(mechanism: Mechanism, name: str) -> list[RigidBody]:
 
 
 def center_path(mechanism: Mechanism, name: str) -> CenterPath:
-    """How the centre of mass of a body can move."""
+    """Return how the centre of mass of a body can move."""
     bodies = chain(mechanism, name)
     ways: list[Vector] = []
     turns: list[Vector] = []
@@ -79,19 +79,19 @@ def center_path(mechanism: Mechanism, name: str) -> CenterPath:
 
 
 def parallel(one: Vector, other: Vector) -> bool:
-    """Whether two unit vectors lie on one line."""
+    """Return whether two unit vectors lie on one line."""
     return hypot(*outer(one, other)) <= EVEN
 
 
 def turning_axes(mechanism: Mechanism, name: str) -> list[tuple[str, Vector]]:
-    """The hinges that turn a body, by name, each with its axis at the start; the innermost first."""
+    """Return the hinges that turn a body, by name, each with its axis at the start; the innermost first."""
     return [
         (c.name, c.axis) for body in chain(mechanism, name) for c in reversed(body.coordinates) if c.kind == "hinge"
     ]
 
 
 def is_pulley_wheel(mechanism: Mechanism, name: str) -> bool:
-    """Whether a body is the wheel of a pulley: its rim is marked on what carries it."""
+    """Return whether a body is the wheel of a pulley: its rim is marked on what carries it."""
     return f"{name}.left" in mechanism.site and f"{name}.right" in mechanism.site
 
 
@@ -102,7 +102,7 @@ def rim_of(mechanism: Mechanism, address: str) -> tuple[str, str] | None:
 
 
 def rides(mechanism: Mechanism, name: str) -> bool:
-    """Whether a body moves on another one that slides, so that its motion could be taken as relative to that."""
+    """Return whether a body moves on another one that slides, so that its motion could be taken as relative to that."""
     own = False
     for body in chain(mechanism, name):
         if own and any(c.kind == "slide" for c in body.coordinates):
@@ -121,17 +121,17 @@ def is_welded_part(mechanism: Mechanism, name: str) -> bool:
 
 
 def extended(mechanism: Mechanism, name: str) -> bool:
-    """Whether a body has a size that turning shows."""
+    """Return whether a body has a size that turning shows."""
     return any(mechanism.body[name].inertia)
 
 
 def at_start(mechanism: Mechanism, name: str | None) -> Vector:
-    """Where the frame of a body stands in the room at the start, m; its axes are then those of the room."""
+    """Return where the frame of a body stands in the room at the start, m; its axes are then those of the room."""
     return add(*(body.at for body in chain(mechanism, name))) if name is not None else ZERO
 
 
 def ways_of(mechanism: Mechanism, name: str | None, at: Vector) -> dict[str, Vector]:
-    """How a point `at` in the frame of a body moves, at the start, with each coordinate that does move it."""
+    """Return how a point `at` in the frame of a body moves, at the start, with each coordinate that does move it."""
     found: dict[str, Vector] = {}
     arm = at
     for body in chain(mechanism, name) if name is not None else []:
@@ -144,7 +144,7 @@ def ways_of(mechanism: Mechanism, name: str | None, at: Vector) -> dict[str, Vec
 
 
 def carried_by(mechanism: Mechanism, name: str) -> list[RigidBody]:
-    """A body and all that it carries."""
+    """Return a body and all that it carries."""
     found = {name}
     for body in mechanism.bodies:  # a parent stands before its children
         if body.parent in found:

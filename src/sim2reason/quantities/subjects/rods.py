@@ -22,7 +22,7 @@ class Pointer(NamedTuple):
 
 @dataclass(frozen=True)
 class SwingingLines(Subject):
-    """What makes an angle with the vertical that changes, by the name of the line or of the body that turns."""
+    """Lines and bodies whose angle with the vertical changes, as subjects."""
 
     name, slot = "swinging line", "line"
 
@@ -55,7 +55,7 @@ class SwingingLines(Subject):
 
 
 def pointer(mechanism: Mechanism, name: str) -> Pointer:
-    """What a swinging line joins; ValueError for a name that is none."""
+    """Return what a swinging line joins; ValueError for a name that is none."""
     line, body = mechanism.line.get(name), mechanism.body.get(name)
     found = line_pointer(mechanism, line) if line is not None else body and body_pointer(mechanism, body)
     if not found:
@@ -80,13 +80,13 @@ def line_pointer(mechanism: Mechanism, line: Line) -> Pointer | None:
 
 
 def _turns(ways: list[dict[str, Vector]], name: str, direction: Vector) -> bool:
-    """Whether a coordinate moves the two ends of a line across it, one relative to the other."""
+    """Return whether a coordinate moves the two ends of a line across it, one relative to the other."""
     apart = add(ways[1].get(name, ZERO), scale(-1.0, ways[0].get(name, ZERO)))
     return hypot(*outer(direction, apart)) > EVEN
 
 
 def is_light_rod(body: RigidBody) -> bool:
-    """Whether a body is a light rod: it has no mass, and turns about a hinge of its own alone."""
+    """Return whether a body is a light rod: it has no mass, and turns about a hinge of its own alone."""
     return body.mass == 0.0 and len(body.coordinates) == 1 and body.coordinates[0].kind == "hinge"
 
 
@@ -119,19 +119,19 @@ def _pivot(mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> str:
 
 
 def carries_on_both_sides(mechanism: Mechanism, rod: str) -> bool:
-    """Whether what is welded to a light rod is not all on one side of its axle."""
+    """Return whether what is welded to a light rod is not all on one side of its axle."""
     places = [body.at for body in welded_to(mechanism, rod)]
     return any(inner(places[0], place) < 0.0 for place in places[1:])
 
 
 def welded_to(mechanism: Mechanism, rod: str) -> list[RigidBody]:
-    """What is fixed to a rod and has a mass."""
+    """Return what is fixed to a rod and has a mass."""
     carried = carried_by(mechanism, rod)
     return [body for body in carried if body.parent == rod and body.mass > 0.0 and not body.coordinates]
 
 
 def load_center(mechanism: Mechanism, rod: RigidBody) -> Vector:
-    """The centre of mass of what is fixed to a light rod, or else of where things hang from it, in its frame."""
+    """Return the centre of mass of what is fixed to a light rod, or else of where things hang from it, in its frame."""
     heavy = [(b.mass, add(b.at, b.center)) for b in welded_to(mechanism, rod.name)]
     loads = heavy or [(1.0, b.at) for b in carried_by(mechanism, rod.name) if b.parent == rod.name]
     total = sum(mass for mass, _ in loads)
@@ -140,7 +140,7 @@ def load_center(mechanism: Mechanism, rod: RigidBody) -> Vector:
 
 @dataclass(frozen=True)
 class Rods(Subject):
-    """Every light rod: between two sites, or on a hinge with all that it holds at its other end."""
+    """Light rods as subjects: between two sites, or on a hinge with the bodies at the other end."""
 
     name = slot = "rod"
 
@@ -150,28 +150,28 @@ class Rods(Subject):
         return (*lines, *(body.name for body in mechanism.bodies if _pulls_alone(mechanism, body)))
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """Those with a name of their own, or that can be told by their ends."""
+        """Return those with a name of their own, or that can be told by their ends."""
         rigid = [line for line in mechanism.lines if isinstance(line.law, Rigid)]
         bodies = {name: mentions[name] for name in self.names(mechanism) if name in mentions}
         return line_phrases(mechanism, mentions, rigid, "rod", alone=not bodies) | bodies
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """What a rod carries comes from everything that is there."""
+        """Return whether the text gives the need of every body: the force in a rod depends on all of them."""
         del name
         return all_said(need, mechanism, said)
 
     def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
-        """A pull."""
+        """Return a pull."""
         del mechanism, name
         return [Sense("tension", (0.0, 0.0, 0.0))]
 
     def label(self, phrase: str) -> str:
-        """Its name, or its ends."""
+        """Return its name, or its ends."""
         return ends_label(phrase)
 
 
 def _pulls_alone(mechanism: Mechanism, body: RigidBody) -> bool:
-    """Whether a body is a light rod on a hinge, and nothing else than it and weight acts on what it holds."""
+    """Return whether a body is a light rod on a hinge, and nothing else than it and weight acts on what it holds."""
     if not is_light_rod(body) or body_pointer(mechanism, body) is None:
         return False
     held = {each.name for each in carried_by(mechanism, body.name)}

@@ -1,4 +1,4 @@
-"""Functionals of a motion: numbers that a whole stretch of it has, such as a greatest speed; one file each."""
+"""Functionals of a motion: numbers that a whole stretch of it has, such as a greatest speed."""
 
 from abc import ABC, abstractmethod
 from typing import ClassVar, TypeVar
@@ -51,21 +51,21 @@ class Functional(ABC):
 
     @abstractmethod
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """The number from the start to a time, s, which a motion of a subject has; None if it has none.
+        """Return the number from the start to a time, s, which a motion of a subject has; None if it has none.
 
         What happens at that very instant belongs to it if `end` is an event's time, not if it is just before that.
         """
 
     def loose_value(self, trace: Trace, name: str, end: float) -> float | None:
-        """What a reader takes for it even where none would be asked for; by default the value."""
+        """Return what a reader takes for it even where none would be asked for; by default the value."""
         return self.value(trace, name, end)
 
     @abstractmethod
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """What both engines must agree on all the while."""
+        """Return what both engines must agree on all the while."""
 
     def present(self, words: Words, name: str) -> bool:
-        """Whether a subject of the text can have it; so by default."""
+        """Return whether a subject of the text can have it; so by default."""
         del words, name
         return True
 
@@ -75,7 +75,7 @@ class Functional(ABC):
         return True
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """How a question speaks of the stretch that a moment ends; empty if that ends none of this."""
+        """Return how a question speaks of the stretch that a moment ends; empty if that ends none of this."""
         del name
         return moment.stretches(words)
 
@@ -93,7 +93,7 @@ class Functional(ABC):
         return found
 
     def own(self, words: Words, name: str) -> dict[str, str]:
-        """What placeholders of its own stand for; by default it has none."""
+        """Return what placeholders of its own stand for; by default it has none."""
         del words, name
         return {}
 

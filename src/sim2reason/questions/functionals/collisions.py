@@ -42,19 +42,19 @@ class Bounces(EventCount):
     indirect = "how many times {body} hits {what}"
 
     def own(self, words: Words, name: str) -> dict[str, str]:
-        """What it hits."""
+        """Return what it hits."""
         return {"what": struck(words, name)}
 
     def present(self, words: Words, name: str) -> bool:
-        """What can hit something fixed."""
+        """Return what can hit something fixed."""
         return bool(struck(words, name))
 
     def times(self, trace: Trace, name: str) -> Sequence[float]:
-        """Those of its collisions with what is fixed."""
+        """Return those of its collisions with what is fixed."""
         return [event.time for event in trace.events if event.kind == "collision" and event.subjects == (name,)]
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Its velocity."""
+        """Return its velocity."""
         del mechanism
         return (Channel(name, Velocity.name),)
 
@@ -70,7 +70,7 @@ class CollisionImpulse(Functional):
     weight = 3.0
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """As in: in their second collision."""
+        """Return the phrases for the moment, such as *in their second collision*."""
         return encounter(moment, words, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
@@ -84,7 +84,7 @@ class CollisionImpulse(Functional):
         return all(is_loose(words.mechanism, body) for body in members(name))
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Both momenta."""
+        """Return both momenta."""
         del mechanism
         return tuple(Channel(body, Momentum.name) for body in members(name))
 
@@ -101,17 +101,17 @@ class CollisionLoss(Functional):
     weight = 5.0
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """As in: in their second collision."""
+        """Return the phrases for the moment, such as *in their second collision*."""
         return encounter(moment, words, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """The loss of all bodies; None if something else collides at the same instant."""
+        """Return the loss of all bodies; None if something else collides at the same instant."""
         del name
         alone = hits(trace, end).count(end) == 1
         return energy_lost(trace, [end]) if alone else None
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """All kinetic energies."""
+        """Return all kinetic energies."""
         del name
         return energies(mechanism)
 
@@ -128,13 +128,13 @@ class Collisions(EventCount):
     weight = 3.0
 
     def own(self, words: Words, name: str) -> dict[str, str]:
-        """That walls count, where there are any."""
+        """Return that walls count, where there are any."""
         del name
         walls = sum(meeting.a is None for meeting in words.mechanism.meetings)
         return {"walls": f", those with the wall{'s' if walls > 1 else ''} included," if walls else ""}
 
     def present(self, words: Words, name: str) -> bool:
-        """Where several things may meet, and no buffer makes it doubtful what a collision is."""
+        """Return where several things may meet, and no buffer makes it doubtful what a collision is."""
         del name
         pairs = any(len(meeting.names) == 2 for meeting in words.mechanism.meetings)
         return pairs and not words.mechanism.half_springs
@@ -146,12 +146,12 @@ class Collisions(EventCount):
         return super().when(moment, words, name)
 
     def times(self, trace: Trace, name: str) -> Sequence[float]:
-        """Those of collisions."""
+        """Return those of collisions."""
         del name
         return [event.time for event in trace.events if event.kind == "collision"]
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """All velocities."""
+        """Return all velocities."""
         del name
         return tuple(Channel(body, Velocity.name) for body in massive(mechanism))
 
@@ -166,15 +166,15 @@ class FromFixed(Functional):
     of, needs = Bodies(), ("mass",)
 
     def present(self, words: Words, name: str) -> bool:
-        """A loose body that can meet the ground, or one wall."""
+        """Return a loose body that can meet the ground, or one wall."""
         return struck(words, name) not in {"", WALLS} and is_loose(words.mechanism, name)
 
     def own(self, words: Words, name: str) -> dict[str, str]:
-        """What it meets."""
+        """Return what it meets."""
         return {"what": struck(words, name)}
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Its momentum."""
+        """Return its momentum."""
         del mechanism
         return (Channel(name, Momentum.name),)
 
@@ -196,7 +196,7 @@ class ImpactImpulse(FromFixed):
     weight = 3.0
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """As in: in their second collision."""
+        """Return the phrases for the moment, such as *in their second collision*."""
         return encounter(moment, words, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
@@ -217,7 +217,7 @@ class TotalImpactImpulse(FromFixed):
         return self.sum(trace, name, hits(trace, end, lambda event: event.subjects == (name,)))
 
     def worth(self, study: Study, name: str, end: float) -> bool:
-        """Whether there are several."""
+        """Return whether there are several."""
         return len(hits(study.trace, end, lambda event: event.subjects == (name,))) >= FEWEST
 
 
@@ -238,16 +238,16 @@ class TotalCollisionLoss(Functional):
         return super().when(moment, words, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """The sum over all collisions."""
+        """Return the sum over all collisions."""
         del name
         return energy_lost(trace, hits(trace, end))
 
     def worth(self, study: Study, name: str, end: float) -> bool:
-        """Whether there are several."""
+        """Return whether there are several."""
         del name
         return len(hits(study.trace, end)) >= FEWEST
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """All kinetic energies."""
+        """Return all kinetic energies."""
         del name
         return energies(mechanism)

@@ -40,15 +40,15 @@ class DashpotHeat(Integral):
     weight = 5.0
 
     def rate(self, state: State, name: str) -> Array:
-        """The force c·dl/dt times the rate dl/dt, W, (n,)."""
+        """Return the force c·dl/dt times the rate dl/dt, W, (n,)."""
         return _damping(state.mechanism, name) * ExtensionRate.evaluate(state, name) ** 2
 
     def present(self, words: Words, name: str) -> bool:
-        """A damped spring that acts both ways."""
+        """Return a damped spring that acts both ways."""
         return _damping(words.mechanism, name) > 0.0
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """The rate."""
+        """Return the rate."""
         del mechanism
         return (Channel(name, ExtensionRate.name),)
 
@@ -79,12 +79,12 @@ class DragHeat(Integral):
         return total
 
     def present(self, words: Words, name: str) -> bool:
-        """What a medium resists."""
+        """Return what a medium resists."""
         drags = [f for f in words.mechanism.forces if f.body == name and isinstance(f.law, Resistance)]
         return bool(drags) and all(force.region is None for force in drags)
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Its velocity."""
+        """Return its velocity."""
         del mechanism
         return (Channel(name, Velocity.name),)
 
@@ -113,16 +113,16 @@ class FieldWork(Integral):
         return total
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """None where it is against the motion on the whole."""
+        """Return None where it is against the motion on the whole."""
         work = super().value(trace, name, end)
         return work if work is not None and work > 0.0 else None
 
     def present(self, words: Words, name: str) -> bool:
-        """A charge in an electric field."""
+        """Return a charge in an electric field."""
         return bool(_pushes(words.mechanism, name))
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Where it is and how fast it moves."""
+        """Return where it is and how fast it moves."""
         del mechanism
         return (Channel(name, Velocity.name), Channel(name, Displacement.name))
 
@@ -147,7 +147,7 @@ class FrictionHeat(Integral):
         return -FrictionForce.evaluate(state, name) * slip(state, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """None after an impact, at which a face may rub with an impulse."""
+        """Return None after an impact, at which a face may rub with an impulse."""
         return super().value(trace, name, end) if is_smooth(trace, end) else None
 
     def present(self, words: Words, name: str) -> bool:
@@ -155,7 +155,7 @@ class FrictionHeat(Integral):
         return words.mechanism.contacts[name].friction > 0.0 and isfinite(words.mechanism.contacts[name].friction)
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """The force, and how fast the body and what it lies on move."""
+        """Return the force, and how fast the body and what it lies on move."""
         moving = (name, mechanism.body[name].parent)
         return (Channel(name, FrictionForce.name), *(Channel(body, Velocity.name) for body in moving if body))
 
@@ -186,7 +186,7 @@ class PullWork(Functional):
         return () if isinstance(moment, DistanceThreshold) else super().when(moment, words, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """Its force times what it has drawn in; None where it has let out more."""
+        """Return its force times what it has drawn in; None where it has let out more."""
         line = trace.mechanism.line[name]
         assert isinstance(line.law, ConstantTension)
         start, here = (float(trace.at(time).free_length(line)[0][0]) for time in (0.0, end))
@@ -194,7 +194,7 @@ class PullWork(Functional):
         return work if work > 0.0 else None
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """How the string's length changes."""
+        """Return how the string's length changes."""
         del mechanism
         return (Channel(name, StringLength.name),)
 
@@ -220,7 +220,7 @@ class StringWork(Integral):
     weight = 0.2  # rather the tension itself
 
     def own(self, words: Words, name: str) -> dict[str, str]:
-        """What the text calls the string."""
+        """Return what the text calls the string."""
         return {"string": _called(words)[_tied(words.mechanism, name)[0][0]]}
 
     def present(self, words: Words, name: str) -> bool:
@@ -239,13 +239,13 @@ class StringWork(Integral):
         return Tension.evaluate(state, line) * along
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """None after an impact, at which a string may jerk, and where it is against the motion on the whole."""
+        """Return None after an impact, at which a string may jerk, and where it is against the motion on the whole."""
         known = is_smooth(trace, end) and _tied(trace.mechanism, name)  # the string may have been left out
         work = super().value(trace, name, end) if known else None
         return work if work is not None and work > 0.0 else None
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """The tension and the velocity."""
+        """Return the tension and the velocity."""
         return (Channel(_tied(mechanism, name)[0][0], Tension.name), Channel(name, Velocity.name))
 
 
@@ -254,7 +254,7 @@ def _called(words: Words) -> Mapping[str, str]:
 
 
 def _tied(mechanism: Mechanism, name: str) -> list[tuple[str, str, str]]:
-    """The strings that pass or end at a body, each with its site there and the next site."""
+    """Return the strings that pass or end at a body, each with its site there and the next site."""
     found = list[tuple[str, str, str]]()
     for line in mechanism.lines:
         if isinstance(line.law, Inextensible):

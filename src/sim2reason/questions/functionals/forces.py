@@ -28,7 +28,7 @@ class GreatestExtension(Extreme):
     weight = 3.0
 
     def height(self, state: State, name: str) -> Array:
-        """How far it is stretched, (n,)."""
+        """Return how far it is stretched, (n,)."""
         return Extension.evaluate(state, name)
 
 
@@ -42,7 +42,7 @@ class GreatestCompression(Extreme):
     weight = 3.0
 
     def height(self, state: State, name: str) -> Array:
-        """How far it is compressed, (n,)."""
+        """Return how far it is compressed, (n,)."""
         return -Extension.evaluate(state, name)
 
 

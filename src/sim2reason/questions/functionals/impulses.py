@@ -32,18 +32,18 @@ class JerkLoss(Functional):
     weight = 5.0
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """As in: when the string first becomes taut again."""
+        """Return the phrases for the moment, such as *when the string first becomes taut again*."""
         if not (isinstance(moment, WentTaut) and moment.after and moment.name == name):
             return ()
         return moment.does(words).phrases(moment.subject(words), moment.number)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """The loss of all bodies."""
+        """Return the loss of all bodies."""
         del name
         return energy_lost(trace, [end])
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """All kinetic energies."""
+        """Return all kinetic energies."""
         del name
         return energies(mechanism)
 
@@ -70,7 +70,7 @@ class NetImpulse(Functional):
         return float(np.linalg.norm(_momentum(trace, name, end) - _momentum(trace, name, 0.0)))
 
     def worth(self, study: Study, name: str, end: float) -> bool:
-        """Whether it is not the momentum at the end, or at the start, nor a weight times a time."""
+        """Return whether it is not the momentum at the end, or at the start, nor a weight times a time."""
         if only_falls(study.mechanism) and is_smooth(study.trace, end):
             return False
         change = self.value(study.trace, name, end) or 0.0
@@ -78,7 +78,7 @@ class NetImpulse(Functional):
         return all(abs(change - size) > DIFFERS * size for size in sizes)
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Its momentum."""
+        """Return its momentum."""
         del mechanism
         return (Channel(name, Momentum.name),)
 
@@ -98,18 +98,18 @@ class StringImpulse(Integral):
     how = "how large is the impulse of the tension in {string} {when}?"
 
     def rate(self, state: State, name: str) -> Array:
-        """The tension, (n,)."""
+        """Return the tension, (n,)."""
         return Tension.evaluate(state, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """None after an impact, at which a string may jerk."""
+        """Return None after an impact, at which a string may jerk."""
         return super().value(trace, name, end) if is_smooth(trace, end) else None
 
     def present(self, words: Words, name: str) -> bool:
-        """A string that does not swing."""
+        """Return a string that does not swing."""
         return line_pointer(words.mechanism, words.mechanism.line[name]) is None
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """The tension."""
+        """Return the tension."""
         del mechanism
         return (Channel(name, Tension.name),)

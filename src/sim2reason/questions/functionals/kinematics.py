@@ -291,7 +291,7 @@ class GreatestHeight(Extreme):
     weight = 2.0
 
     def present(self, words: Words, name: str) -> bool:
-        """What flies or swings."""
+        """Return what flies or swings."""
         return name in HighestPoint.candidates(words)
 
 

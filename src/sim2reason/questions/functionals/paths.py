@@ -43,7 +43,7 @@ class AngleSwept(Integral):
         return degrees(1.0) * np.linalg.norm(AngularVelocity.evaluate(state, name), axis=1)
 
     def present(self, words: Words, name: str) -> bool:
-        """What turns by one hinge and does not roll, so that the engine says when it turns back."""
+        """Return what turns by one hinge and does not roll, so that the engine says when it turns back."""
         mechanism = words.mechanism
         hinges = [c for c in mechanism.body[name].coordinates if c.kind == "hinge"]
         return len(hinges) == 1 and mechanism.body[name].parent is None and name in AngleTurned().subjects(mechanism)
@@ -53,13 +53,13 @@ class AngleSwept(Integral):
         return () if is_told_by_angles(moment, words) else super().when(moment, words, name)
 
     def worth(self, study: Study, name: str, end: float) -> bool:
-        """Whether it turns back."""
+        """Return whether it turns back."""
         total = self.value(study.trace, name, end) or 0.0
         net = abs(float(AngleTurned.evaluate(study.trace.at(end), name)[0]))
         return total - net > DIFFERS * total and super().worth(study, name, end)
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """How fast it turns."""
+        """Return how fast it turns."""
         del mechanism
         return (Channel(name, AngularVelocity.name),)
 
@@ -85,7 +85,7 @@ class AreaSwept(Integral):
         return super().worth(study, name, end) and bool((swept @ swept.mean(axis=0) >= 0.0).all())
 
     def present(self, words: Words, name: str) -> bool:
-        """One that is fixed, and one that it attracts."""
+        """Return one that is fixed, and one that it attracts."""
         pulls = any({pull.a, pull.b} == set(members(name)) for pull in words.mechanism.attractions)
         return pulls and sum(moves(words.mechanism, body) for body in members(name)) == 1
 
@@ -94,7 +94,7 @@ class AreaSwept(Integral):
         return super().when(moment, words, name) if isinstance(moment, Orbited | Apsis) and moment.name == name else ()
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Both velocities and the distance."""
+        """Return both velocities and the distance."""
         del mechanism
         velocities = (Channel(body, Velocity.name) for body in members(name))
         return (Channel(name, DistanceBetween.name), *velocities)
@@ -120,11 +120,11 @@ class DistanceTravelled(Integral):
     weight = 2.0
 
     def rate(self, state: State, name: str) -> Array:
-        """The speed, (n,)."""
+        """Return the speed, (n,)."""
         return np.linalg.norm(Velocity.evaluate(state, name), axis=1)
 
     def corners(self, trace: Trace, name: str) -> list[float]:
-        """Where a body on a line turns back; on a circle a coordinate does, and the engine says when."""
+        """Return where a body on a line turns back; on a circle a coordinate does, and the engine says when."""
         path = center_path(trace.mechanism, name)
         if not path.straight:
             return []
@@ -135,7 +135,7 @@ class DistanceTravelled(Integral):
         ]
 
     def present(self, words: Words, name: str) -> bool:
-        """What moves along a line or on a circle."""
+        """Return what moves along a line or on a circle."""
         return center_path(words.mechanism, name).straight or circles(words.mechanism, name)
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
@@ -144,7 +144,7 @@ class DistanceTravelled(Integral):
         return () if told else super().when(moment, words, name)
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Its velocity, and where that leads."""
+        """Return its velocity, and where that leads."""
         del mechanism
         return (Channel(name, Velocity.name), Channel(name, Displacement.name))
 
@@ -169,11 +169,11 @@ class Reversals(EventCount):
     weight = 2.0
 
     def present(self, words: Words, name: str) -> bool:
-        """What moves along one line of the room."""
+        """Return what moves along one line of the room."""
         return center_path(words.mechanism, name).straight and not rides(words.mechanism, name)
 
     def times(self, trace: Trace, name: str) -> Sequence[float]:
-        """Where the sign of its velocity changes, on a line between two instants of a scan.
+        """Return where the sign of its velocity changes, on a line between two instants of a scan.
 
         Halts without a reversal do not count.
         """
@@ -186,6 +186,6 @@ class Reversals(EventCount):
         return (times[before] + shares * (times[before + 1] - times[before])).tolist()
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Its velocity."""
+        """Return its velocity."""
         del mechanism
         return (Channel(name, Velocity.name),)

@@ -1,4 +1,4 @@
-"""The kinds of question, one file each: what is asked of a motion, in which sentences, and what the answer is."""
+"""The kinds of question: what is asked of a motion, in which sentences, and what the answer is."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
@@ -67,11 +67,11 @@ class Kind(ABC):
 
     @property
     def stated(self) -> bool:
-        """Whether it has words for its answers as conditions."""
+        """Return whether it has words for its answers as conditions."""
         return type(self).called is not Kind.called
 
     def of_motion(self, query: Query) -> bool:
-        """Whether an answer may depend on how the motion begins; by default it does."""
+        """Return whether an answer may depend on how the motion begins; by default it does."""
         del query
         return True
 
@@ -95,7 +95,7 @@ class Kind(ABC):
         return self.answer(query, study)
 
     def expecting(self, query: Query, answer: float) -> Query:
-        """A query with the answer that it likely has, where that helps to find it; with 0 it is not known.
+        """Return a query with the answer that it likely has, where that helps to find it; with 0 it is not known.
 
         By default as it is.
         """
@@ -108,7 +108,7 @@ class Kind(ABC):
 
     @abstractmethod
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """All sentences that ask it, the most usual first; `noun` is how its target is called, if it has one."""
+        """Return all sentences that ask it, the most usual first; `noun` is how its target is called, if it has one."""
 
     def former(self, query: Query, words: Words) -> tuple[str, ...]:
         """Return sentences of earlier versions, which are read but no longer written; by default none."""
@@ -151,19 +151,19 @@ class Kind(ABC):
         del asked, study, words
 
     def late_answer(self, query: Query) -> float | None:
-        """What an answer comes closer to, the later what is asked about comes; by default None but for times."""
+        """Return what an answer comes closer to, the later what is asked about comes; by default None but for times."""
         return inf if self.measured(query).name == "time" else None
 
     def time(self, query: Query, study: Study) -> float | None:
-        """When all that the answer depends on has happened, s; None if it does not. By default its moment."""
+        """Return when all that the answer depends on has happened, s; None if it does not. By default its moment."""
         return study.time(query.moment) if query.moment is not None else None
 
     def channels(self, query: Query) -> tuple[Channel, ...]:
-        """What both engines must agree on at that time; by default what is asked about."""
+        """Return what both engines must agree on at that time; by default what is asked about."""
         return (Channel(query.target.subject, query.target.quantity),) if query.target is not None else ()
 
     def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
-        """Why both engines don't vouch for the answer, in a few words; empty if they do.
+        """Return why both engines don't vouch for the answer, in a few words; empty if they do.
 
         By default its channels must be certified from the start to its time. The certificate is None if no second
         engine was heard.
@@ -176,7 +176,7 @@ class Kind(ABC):
         return False
 
     def measured(self, query: Query) -> Measured:
-        """What the answer is; by default the quantity that is asked about."""
+        """Return what the answer is; by default the quantity that is asked about."""
         assert query.target is not None, "a kind that asks for no quantity says what it asks for"
         found = QUANTITIES[query.target.quantity]
         return Measured(found.name, found.unit, found.least)
@@ -192,23 +192,23 @@ class ValueKind(Kind):
     timeless: ClassVar[bool] = False
 
     def moments(self) -> list[type[Moment]]:
-        """The classes of moments at which it asks; UnknownNameError if one names a kind that does not exist."""
+        """Return the classes of moments at which it asks; UnknownNameError if one names a kind that does not exist."""
         return [moment for moment in by_cause() if KINDS[moment.kind] is self]
 
     def answer(self, query: Query, study: Study) -> float | None:
-        """The quantity at the moment, or just before it."""
+        """Return the quantity at the moment, or just before it."""
         assert query.target is not None
         assert query.moment is not None
         time = study.time(query.moment)
         return None if time is None else query.target.value(study.trace.at(query.moment.side(time)))
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """As in: what is the speed of A 0.80 s after release?"""
+        """Return the forms of the question, such as *what is the speed of A 0.80 s after release?*."""
         assert noun is not None
         return asking_then(query, words, noun)
 
     def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """As in: the speed of A when B first stops."""
+        """Return noun phrases for the answer, such as *the speed of A when B first stops*."""
         assert noun is not None
         return naming_then(query, words, noun)
 
@@ -229,7 +229,7 @@ class ValueKind(Kind):
         return Query(self.name, target_named(asked, words), moment) if asks else None
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
-        """Every quantity at every moment that it names."""
+        """Yield every quantity at every moment that it names."""
         named = [target for target, noun in targets.items() if self.timeless or not noun.timeless]
         for cls in self.moments():
             for moment in cls.parsed(text, study.trace, words):
@@ -267,7 +267,7 @@ def by_share(rng: np.random.Generator) -> list[Kind]:
 
 
 def by_cause() -> list[type[Moment]]:
-    """All classes of moments: first what the motion brings about, then what a drawn number does."""
+    """Return all classes of moments: first what the motion brings about, then what a drawn number does."""
     return sorted(MOMENTS.values(), key=lambda moment: not moment.event)
 
 

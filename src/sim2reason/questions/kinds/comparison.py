@@ -45,7 +45,7 @@ class ComparisonQuery(NestedQuery):
         return [self.changed(study)]
 
     def changed(self, study: Study) -> Study | None:
-        """The motion with that number multiplied by the factor; None if there is none."""
+        """Return the motion with that number multiplied by the factor; None if there is none."""
         return study.likewise({self.path: self.factor * float(study.scene.value(self.path))})
 
 
@@ -57,7 +57,7 @@ class ComparisonKind(NestedKind):
     share = 0.04
 
     def _worth(self, inner: Query, path: str, study: Study, rng: np.random.Generator) -> Query | None:
-        """One whose ratio no proportionality leads to, where the same things happen in both cases."""
+        """Return one whose ratio no proportionality leads to, where the same things happen in both cases."""
         factor = list(GERUNDS)[int(rng.choice(len(OFTEN), p=OFTEN))]
         query = ComparisonQuery(self.name, inner.target, inner.moment, stripped(inner), path, factor)
         query = replace(query, ratio=bool(rng.random() < RATIOS))
@@ -72,7 +72,7 @@ class ComparisonKind(NestedKind):
         return replace(query, grows=query.ratio or after > before)
 
     def answer(self, query: Query, study: Study) -> float | None:
-        """The ratio of the new answer to the original one, or their difference."""
+        """Return the ratio of the new answer to the original one, or their difference."""
         return _compared(query, study, loosely=False)
 
     def loose_answer(self, query: Query, study: Study) -> float | None:
@@ -80,7 +80,7 @@ class ComparisonKind(NestedKind):
         return _compared(query, study, loosely=True)
 
     def time(self, query: Query, study: Study) -> float | None:
-        """When all has happened in both cases."""
+        """Return when all has happened in both cases."""
         assert isinstance(query, ComparisonQuery)
         other, inner = query.changed(study), query.inner
         times = [KINDS[inner.kind].time(inner, held) if held is not None else None for held in (study, other)]
@@ -88,7 +88,7 @@ class ComparisonKind(NestedKind):
         return max(known) if len(known) == len(times) else None
 
     def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
-        """Both cases must be vouched for."""
+        """Return why either case is not certified; empty if both are."""
         assert isinstance(query, ComparisonQuery)
         inner = query.inner
         reason = KINDS[inner.kind].doubt(inner, study, certificate)
@@ -98,7 +98,7 @@ class ComparisonKind(NestedKind):
         return vouched(inner, other)
 
     def measured(self, query: Query) -> Measured:
-        """A ratio, or a difference in the unit of the other answer."""
+        """Return a ratio, or a difference in the unit of the other answer."""
         assert isinstance(query, ComparisonQuery)
         if query.ratio:
             return Measured("ratio", "", least=1e-2)
@@ -134,7 +134,7 @@ class ComparisonKind(NestedKind):
         return tuple(f"the factor by which {GERUNDS[query.factor]} {number} would multiply {name}" for name in names)
 
     def told(self, query: Query, words: Words, noun: Noun | None, value: str) -> tuple[str, ...]:
-        """As in: doubling the mass of A would multiply the speed of B 0.80 s after release by 1.4."""
+        """Return a text such as *doubling the mass of A would multiply the speed of B 0.80 s after release by 1.4*."""
         assert isinstance(query, ComparisonQuery)
         number = words.named.get(query.path)
         if number is None or not query.ratio or query.factor not in GERUNDS:
@@ -143,7 +143,7 @@ class ComparisonKind(NestedKind):
         return tuple(f"{changing} would multiply {name} by {value}" for name in self.names(query, words, noun))
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
-        """Every change of every number that is named, with every question that it could be about."""
+        """Yield every change of every number that is named, with every question that it could be about."""
         changes = [
             (path, factor, ratio, grows)
             for path, number in words.named.items()
@@ -177,7 +177,7 @@ def compared(inner: Query, asked: StructuredQuestion, study: Study, words: Words
 
 
 def _ratio_forms(query: ComparisonQuery, number: str) -> tuple[str, ...]:
-    """The questions for a ratio, with a gap for what is compared."""
+    """Return the questions for a ratio, with a gap for what is compared."""
     changing, changed = f"{GERUNDS[query.factor]} {number}", f"{number} were {_done(query.factor)}"
     ratio = f"{RATIO} {{}}"
     return (
@@ -189,7 +189,7 @@ def _ratio_forms(query: ComparisonQuery, number: str) -> tuple[str, ...]:
 
 
 def _difference_forms(query: ComparisonQuery, number: str) -> tuple[str, ...]:
-    """The questions for a difference, with a gap for what is compared."""
+    """Return the questions for a difference, with a gap for what is compared."""
     changing, changed = f"{GERUNDS[query.factor]} {number}", f"{number} were {_done(query.factor)}"
     verb, change = ("increase", "increase") if query.grows else ("reduce", "decrease")
     return (
@@ -222,12 +222,12 @@ def _least(inner: Query) -> float:
 
 
 def _course(inner: Query, study: Study) -> tuple[object, ...]:
-    """What happens in turn until the answer is known, and which way everything has moved by then."""
+    """Return what happens in turn until the answer is known, and which way everything has moved by then."""
     time = KINDS[inner.kind].time(inner, study) or 0.0
     return study.trace.story(time), ways(study, time)
 
 
 def _is_guessed(ratio: float, factor: float) -> bool:
-    """Whether a power of the factor is the ratio, or nearly, or nothing much changes."""
+    """Return whether a power of the factor is the ratio, or nearly, or nothing much changes."""
     near = any(abs(factor**power / ratio - 1.0) <= NEARLY * TOLERANCE for power in POWERS)
     return near or abs(log(ratio)) < CLEARLY

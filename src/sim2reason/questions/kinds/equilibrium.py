@@ -74,7 +74,7 @@ class EquilibriumKind(Kind):
         return EquilibriumQuery(self.name, target, stable=not rest.linear)
 
     def answer(self, query: Query, study: Study) -> float | None:
-        """The quantity there."""
+        """Return the quantity there."""
         assert query.target is not None
         rest = equilibrium(study.mechanism)
         return query.target.value(rest.state) if rest is not None else None
@@ -85,7 +85,7 @@ class EquilibriumKind(Kind):
         return 0.0
 
     def channels(self, query: Query) -> tuple[Channel, ...]:
-        """Nothing of the motion."""
+        """Return nothing of the motion."""
         del query
         return ()
 
@@ -96,7 +96,7 @@ class EquilibriumKind(Kind):
         return "there is no equilibrium, or another one" if rest is None else unrest(rest)
 
     def indifferent(self, query: Query, study: Study, other: Study) -> bool:
-        """How the motion begins, and what is inert alone, as a mass on a level table is."""
+        """Return how the motion begins, and what is inert alone, as a mass on a level table is."""
         del query
         return alike_at_rest(study.mechanism, other.mechanism, ("lengths", "forces", "stiffness"))
 
@@ -109,7 +109,7 @@ class EquilibriumKind(Kind):
         return tuple(dict.fromkeys(shapes))
 
     def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """As in: the length of the spring in the position of equilibrium."""
+        """Return noun phrases for the answer, such as *the length of the spring in the position of equilibrium*."""
         del words
         assert noun is not None
         return tuple(f"{noun.phrase} {when}" for when in _whens(query))
@@ -131,7 +131,7 @@ class EquilibriumKind(Kind):
         return EquilibriumQuery(self.name, target, stable=not rest.linear)
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
-        """Every quantity that is named."""
+        """Yield every quantity that is named."""
         del study, words
         if "equilibrium" in text:
             yield from (

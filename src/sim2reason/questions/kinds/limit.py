@@ -37,7 +37,7 @@ class LimitQuery(NestedQuery):
         return self.extremes(study)
 
     def extremes(self, study: Study, times: Sequence[float] = TIMES) -> list[Study | None]:
-        """The motions with that mass far beyond all others, farther and farther."""
+        """Return the motions with that mass far beyond all others, farther and farther."""
         masses = [float(p.value) for p in study.scene.parameters if p.measure.unit == MASS and p.value]
         end = max(masses) if self.large else min(masses)
         return [study.likewise({self.path: end * by if self.large else end / by}) for by in times]
@@ -62,7 +62,7 @@ class LimitKind(NestedKind):
         return [path for path in super()._numbers(study, words, rng) if path in masses and len(masses) > 1]
 
     def _worth(self, inner: Query, path: str, study: Study, rng: np.random.Generator) -> Query | None:
-        """One that has a limit other than zero, and approaches it from far away without turning round."""
+        """Return one that has a limit other than zero, and approaches it from far away without turning round."""
         del rng
         query = LimitQuery(self.name, inner.target, inner.moment, stripped(inner), path)
         least = KINDS[inner.kind].measured(inner).least
@@ -76,12 +76,12 @@ class LimitKind(NestedKind):
         return None
 
     def answer(self, query: Query, study: Study) -> float | None:
-        """The limit, extrapolated from motions with masses that differ by powers of ten."""
+        """Return the limit, extrapolated from motions with masses that differ by powers of ten."""
         assert isinstance(query, LimitQuery)
         return _limit(query, study)
 
     def time(self, query: Query, study: Study) -> float | None:
-        """When all has happened in the motion as it is, and with the mass far beyond all others."""
+        """Return when all has happened in the motion as it is, and with the mass far beyond all others."""
         assert isinstance(query, LimitQuery)
         inner = query.inner
         kind = KINDS[inner.kind]
@@ -90,7 +90,7 @@ class LimitKind(NestedKind):
         return max(known) if len(known) == len(times) else None
 
     def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
-        """Both engines must vouch for a motion whose answer is close to the limit."""
+        """Return both engines must vouch for a motion whose answer is close to the limit."""
         assert isinstance(query, LimitQuery)
         inner, (near,) = query.inner, query.extremes(study, (NEARER,))
         reason = KINDS[inner.kind].doubt(inner, study, certificate)
@@ -107,7 +107,7 @@ class LimitKind(NestedKind):
         return True
 
     def measured(self, query: Query) -> Measured:
-        """That of the other question."""
+        """Return that of the other question."""
         inner = inner_of(query)
         found = KINDS[inner.kind].measured(inner)
         return Measured("limit", found.unit, found.least)
@@ -131,7 +131,7 @@ class LimitKind(NestedKind):
         return tuple(form.format(name) for form, name in product(forms, self.names(query, words, noun)))
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
-        """Every limit of whatever is named, for every mass that is."""
+        """Yield every limit of whatever is named, for every mass that is."""
         numbers = [path for path, number in words.named.items() if f"{number} " in text]
         if not numbers or not any(said in text for said in ("approach", "limit", "all other masses")):
             return
@@ -141,7 +141,7 @@ class LimitKind(NestedKind):
 
 
 def _limit(query: LimitQuery, study: Study) -> float | None:
-    """The answers far away, extrapolated by a parabola of the inverse of the mass, or of the mass itself."""
+    """Return the answers far away, extrapolated by a parabola of the inverse of the mass, or of the mass itself."""
     answers = [answered(query.inner, other, loosely=True) for other in query.extremes(study)]
     found = [answer for answer in answers if answer is not None]
     if len(found) < len(TIMES) or abs(found[-1] - found[-2]) > SETTLED * abs(found[-1]):
@@ -151,6 +151,6 @@ def _limit(query: LimitQuery, study: Study) -> float | None:
 
 
 def _way(inner: Query, study: Study) -> tuple[object, ...]:
-    """What happens in turn until the answer is known, and which way everything has moved that does."""
+    """Return what happens in turn until the answer is known, and which way everything has moved that does."""
     time = KINDS[inner.kind].time(inner, study) or 0.0
     return study.trace.story(time), ways(study, time)

@@ -71,7 +71,7 @@ class OptimumQuery(NestedQuery):
         return found if found is not None and found.greatest is self.greatest else None
 
     def place(self, study: Study) -> float | None:
-        """The value of the number in a scene."""
+        """Return the value of the number in a scene."""
         found = self.extreme(study)
         return found.place if found is not None else None
 
@@ -87,7 +87,7 @@ class OptimumKind(NestedKind):
     inner = ("start", "event", "period")
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """A question whose answer is seen to turn back as one of a few numbers grows, if it is worth it."""
+        """Return a question whose answer is seen to turn back as one of a few numbers grows, if it is worth it."""
         if study.mechanism is not study.scene.mechanism:
             return None
         inners = self._drawn(study, words, targets, rng)
@@ -98,7 +98,7 @@ class OptimumKind(NestedKind):
         return next((query for query in found if query is not None), None)
 
     def _drawn(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> list[Query]:
-        """Some questions of other kinds."""
+        """Return some questions of other kinds."""
         found = dict[Query, None]()
         for name in self.inner:
             for _ in range(DRAWS[name]):
@@ -108,15 +108,15 @@ class OptimumKind(NestedKind):
         return list(found)
 
     def _numbers(self, study: Study, words: Words, rng: np.random.Generator) -> Iterable[str]:
-        """Some of those that a text may leave unknown, angles and lengths first: most designs are shapes."""
+        """Return some of those that a text may leave unknown, angles and lengths first: most designs are shapes."""
         return [unknown.path for unknown in sorted(some(words.unknowns, study.scene, rng), key=_is_no_shape)]
 
     def _can_be_about(self, name: str) -> bool:
-        """Whether it is no greatest value itself."""
+        """Return whether it is no greatest value itself."""
         return super()._can_be_about(name) and not any(word in name for word in EXTREMES)
 
     def _worth(self, inner: Query, path: str, study: Study, rng: np.random.Generator) -> Query | None:
-        """One that is clear, smooth and within what is usual."""
+        """Return one that is clear, smooth and within what is usual."""
         values = usual_values(study, path)
         answers = Dependence(inner, study, path, COARSE)
         rough = StationaryPoint(answers).among(values) if len(values) > 2 else None
@@ -136,7 +136,7 @@ class OptimumKind(NestedKind):
         return replace(query, about=place) if place is not None else None
 
     def answer(self, query: Query, study: Study) -> float | None:
-        """The number, or the extreme value."""
+        """Return the number, or the extreme value."""
         assert isinstance(query, OptimumQuery)
         found = query.extreme(study)
         if found is None:
@@ -144,7 +144,7 @@ class OptimumKind(NestedKind):
         return found.place if query.asks_place else found.value
 
     def expecting(self, query: Query, answer: float) -> Query:
-        """Where the extreme likely is."""
+        """Return where the extreme likely is."""
         assert isinstance(query, OptimumQuery)
         return replace(query, about=answer) if query.asks_place else query
 
@@ -154,7 +154,7 @@ class OptimumKind(NestedKind):
         return KINDS[inner.kind].time(inner, study) or 0.0
 
     def measured(self, query: Query) -> Measured:
-        """The number, or the other answer."""
+        """Return the number, or the other answer."""
         assert isinstance(query, OptimumQuery)
         if query.asks_place:
             return Measured("optimum", query.unit, least=0.0)
@@ -162,7 +162,7 @@ class OptimumKind(NestedKind):
         return Measured("extreme value", found.unit, found.least)
 
     def channels(self, query: Query) -> tuple[Channel, ...]:
-        """None of the motion that is recorded."""
+        """Return None of the motion that is recorded."""
         del query
         return ()
 
@@ -217,7 +217,7 @@ class OptimumKind(NestedKind):
         )
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
-        """Every extreme of whatever is named, with every number that the text may leave unknown."""
+        """Yield every extreme of whatever is named, with every number that the text may leave unknown."""
         extremes = [
             great
             for great, said in ((True, ("greatest", "as large")), (False, ("least", "as small")))
@@ -233,7 +233,7 @@ class OptimumKind(NestedKind):
 
 
 def _turns(inner: Query, path: str, study: Study) -> bool:
-    """Whether an answer is seen to turn back once, over a few values of a number."""
+    """Return whether an answer is seen to turn back once, over a few values of a number."""
     values = usual_values(study, path)
     if len(values) < FEW:
         return False
@@ -256,13 +256,13 @@ def _is_no_shape(unknown: Unknown) -> bool:
 
 
 def usual_values(study: Study, path: str) -> list[float]:
-    """Some points of the range of a number that are not far from what is drawn, in order."""
+    """Return some points of the range of a number that are not far from what is drawn, in order."""
     values = range_of(study.scene, path)
     return [value for value in values if is_usual(study.scene, path, value)][::2]
 
 
 def _is_clear(found: StationaryValue, end: float | None) -> bool:
-    """Whether the answer at an end of the range differs clearly, and on the right side."""
+    """Return whether the answer at an end of the range differs clearly, and on the right side."""
     if end is None:
         return False
     beyond = (found.value - end) if found.greatest else (end - found.value)

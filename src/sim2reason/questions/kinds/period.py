@@ -83,7 +83,7 @@ class PeriodKind(Kind):
         return replace(small, of=of, rank=rank, modes=count)
 
     def _repeating(self, study: Study, words: Words, rng: np.random.Generator) -> PeriodQuery | None:
-        """The motion of any body that comes round again, unless it is nearly that of small oscillations."""
+        """Return the motion of any body that comes round again, unless it is nearly that of small oscillations."""
         names = list(movers(words)) if steady(study.mechanism) else []
         heavy = [name for name in names if study.mechanism.body[name].mass]
         names = heavy if len(heavy) == 1 else names
@@ -114,7 +114,7 @@ class PeriodKind(Kind):
         return {**found, PENDULUM: length or None}[query.measure]
 
     def time(self, query: Query, study: Study) -> float | None:
-        """When the motion has come round; small oscillations don't depend on it."""
+        """Return when the motion has come round; small oscillations don't depend on it."""
         assert isinstance(query, PeriodQuery)
         return 0.0 if query.small else study.time(Repetition(query.of[0]))
 
@@ -141,7 +141,7 @@ class PeriodKind(Kind):
         return disagreement(rest, modes, query.rank)
 
     def measured(self, query: Query) -> Measured:
-        """A period, a frequency, an angular frequency, or a length."""
+        """Return a period, a frequency, an angular frequency, or a length."""
         assert isinstance(query, PeriodQuery)
         return {**MEASURES, **PEOPLE}[query.measure]
 
@@ -179,7 +179,7 @@ class PeriodKind(Kind):
         return (resolved("of", asked.of, movers(words)),) if asked.of else ()
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
-        """Every measure of every mode, of everything that is named."""
+        """Yield every measure of every mode, of everything that is named."""
         del study, targets
         if not any(word in text for word in ("period", "frequenc", "scillation", "revolution", "repeat")):
             return

@@ -68,7 +68,7 @@ class ThresholdKind(Kind):
     hides = True
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """An outcome that changes just once within ten times the range of one of the numbers."""
+        """Return an outcome that changes just once within ten times the range of one of the numbers."""
         del targets
         found = [outcome for cls in OUTCOMES.values() for outcome in cls.found(words)]
         if not found:
@@ -86,7 +86,7 @@ class ThresholdKind(Kind):
         return None
 
     def answer(self, query: Query, study: Study) -> float | None:
-        """Where the outcome changes: looked for near where that is known to be, else everywhere.
+        """Return where the outcome changes: looked for near where that is known to be, else everywhere.
 
         Of a changed mechanism only where it is close to that: there other values are tried with the same change. None
         for another one that is not its scene's.
@@ -107,17 +107,17 @@ class ThresholdKind(Kind):
         return trial.rough_change(above=above, error=error)
 
     def expecting(self, query: Query, answer: float) -> Query:
-        """Where the outcome likely changes."""
+        """Return where the outcome likely changes."""
         assert isinstance(query, ThresholdQuery)
         return replace(query, about=answer)
 
     def far_answer(self, query: Query, study: Study) -> float | None:
-        """Where the outcome changes in a changed scene, also far from where it should."""
+        """Return where the outcome changes in a changed scene, also far from where it should."""
         assert isinstance(query, ThresholdQuery)
         return query.trial(study).within(query.about, FAR) if study.change is not None and query.about else None
 
     def time(self, query: Query, study: Study) -> float | None:
-        """The start: the motion that is recorded, with the number as it was drawn, tells nothing."""
+        """Return the start: the motion that is recorded, with the number as it was drawn, tells nothing."""
         del query, study
         return 0.0
 
@@ -127,7 +127,7 @@ class ThresholdKind(Kind):
         return replace(other.mechanism, gravity=study.mechanism.gravity) == study.mechanism
 
     def measured(self, query: Query) -> Measured:
-        """The number."""
+        """Return the number."""
         assert isinstance(query, ThresholdQuery)
         return Measured("threshold", query.unit, least=0.0)
 
@@ -189,7 +189,7 @@ class ThresholdKind(Kind):
         return ThresholdQuery(self.name, None, None, outcome, asked.find, unit, greatest=below, about=critical)
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
-        """Every outcome of whatever is named, with every number that the text may leave unknown."""
+        """Yield every outcome of whatever is named, with every number that the text may leave unknown."""
         del study, targets
         outcomes = [outcome for cls in OUTCOMES.values() for outcome in cls.parsed(text, words)]
         for outcome, unknown in product(outcomes, words.unknowns):

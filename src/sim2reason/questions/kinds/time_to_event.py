@@ -34,17 +34,17 @@ class TimeToEventKind(Kind):
     def at(
         self, moment: Moment, study: Study, words: Words, targets: Targets, rng: np.random.Generator
     ) -> Query | None:
-        """When that moment comes."""
+        """Return when that moment comes."""
         del targets, rng
         asked = isinstance(moment, Happening) and moment.clause(words) is not None and not moment.is_plain(study)
         return Query(self.name, None, moment) if asked else None
 
     def answer(self, query: Query, study: Study) -> float | None:
-        """The time."""
+        """Return the time."""
         return self.time(query, study)
 
     def measured(self, query: Query) -> Measured:
-        """A time, of a hundredth of a second at least."""
+        """Return a time, of a hundredth of a second at least."""
         del query
         return Measured("time", "s", least=1e-2)
 
@@ -65,7 +65,7 @@ class TimeToEventKind(Kind):
         )
 
     def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """As in: the time from release until B first stops."""
+        """Return noun phrases for the answer, such as *the time from release until B first stops*."""
         del noun
         assert isinstance(query.moment, Happening)
         clause = query.moment.clause(words)
@@ -96,7 +96,7 @@ class TimeToEventKind(Kind):
         return Query(self.name, None, moment_of(asked, words))
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
-        """Whatever it names that can happen."""
+        """Yield whatever it names that can happen."""
         del targets
         for cls in _happenings():
             yield from (Query(self.name, None, moment) for moment in cls.parsed(text, study.trace, words))

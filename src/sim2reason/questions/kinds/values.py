@@ -26,14 +26,14 @@ class EventKind(ValueKind):
     share = 0.3
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """A moment of this motion and a quantity that it bears on, but none that the question tells."""
+        """Return a moment of this motion and a quantity that it bears on, but none that the question tells."""
         moment = drawn(self.moments(), study, words, rng)
         return self.at(moment, study, words, targets, rng) if moment is not None else None
 
     def at(
         self, moment: Moment, study: Study, words: Words, targets: Targets, rng: np.random.Generator
     ) -> Query | None:
-        """A quantity that the moment bears on, but none that its words tell."""
+        """Return a quantity that the moment bears on, but none that its words tell."""
         del words
         if moment.kind != self.name:
             return None
@@ -56,7 +56,7 @@ class StartKind(ValueKind):
     timeless = True
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """A quantity that differs from zero before anything has moved; just then, if it does not last.
+        """Return a quantity that differs from zero before anything has moved; just then, if it does not last.
 
         None where the text gives what can not bear on it yet, fuel or a speed that changes no equation, and where it
         is Newton's second law in one line.
@@ -75,12 +75,12 @@ class StartKind(ValueKind):
     def at(
         self, moment: Moment, study: Study, words: Words, targets: Targets, rng: np.random.Generator
     ) -> Query | None:
-        """The same, since the start is the only moment that it asks about."""
+        """Return the same, since the start is the only moment that it asks about."""
         return self.draw(study, words, targets, rng) if moment.kind == self.name else None
 
 
 def _one_line(mechanism: Mechanism) -> bool:
-    """Whether nothing but weight acts, or no more than two forces act on a lone point."""
+    """Return whether nothing but weight acts, or no more than two forces act on a lone point."""
     massive = [body for body in mechanism.bodies if body.mass and not (body.parent is None and not body.coordinates)]
     alone = len(massive) == 1 and not any(massive[0].inertia) and not mechanism.contacts
     acting = (*mechanism.lines, *mechanism.forces, *mechanism.attractions)
@@ -88,14 +88,14 @@ def _one_line(mechanism: Mechanism) -> bool:
 
 
 def _speeds_idle(mechanism: Mechanism) -> bool:
-    """Whether something moves at the start, while forces hang on places alone, or on nothing."""
+    """Return whether something moves at the start, while forces hang on places alone, or on nothing."""
     if not any(coordinate.speed for coordinate in mechanism.coordinates):
         return False
     return _free(mechanism) or not changing(mechanism)
 
 
 def _free(mechanism: Mechanism) -> bool:
-    """Whether nothing leads or rubs, and nothing but springs and attractions acts beside weight."""
+    """Return whether nothing leads or rubs, and nothing but springs and attractions acts beside weight."""
     led = mechanism.constraints or mechanism.contacts or mechanism.forces or mechanism.feet
     elastic = (line.law for line in mechanism.lines if isinstance(line.law, Elastic))
     return not led and all(c.kind == "slide" for c in mechanism.coordinates) and not any(law.damping for law in elastic)

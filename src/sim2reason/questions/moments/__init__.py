@@ -1,4 +1,4 @@
-"""Moments of a motion: a time, the start, or the first time that something happens; one file each."""
+"""Moments of a motion: a time, the start, or the first time that something happens."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
@@ -48,7 +48,7 @@ class Moment(ABC):
 
     @property
     def channels(self) -> tuple[Channel, ...]:
-        """What both engines must agree on for it to be certain; nothing by default."""
+        """Return what both engines must agree on for it to be certain; nothing by default."""
         return ()
 
     @property
@@ -57,7 +57,7 @@ class Moment(ABC):
         return ()
 
     def having(self, numbers: Sequence[float]) -> Self:
-        """The same moment with other numbers in place of those that are `stated`; by default there are none."""
+        """Return the same moment with other numbers in place of those that are `stated`; by default there are none."""
         del numbers
         return self
 
@@ -68,7 +68,7 @@ class Moment(ABC):
 
     @property
     def tells(self) -> tuple[Channel, ...]:
-        """What its own words say, which therefore can't be asked; nothing by default."""
+        """Return what its own words say, which therefore can't be asked; nothing by default."""
         return ()
 
     @property
@@ -80,29 +80,29 @@ class Moment(ABC):
 
     @property
     def comes_round(self) -> bool:
-        """Whether it never comes where one of its bodies flies off for ever; by default it may."""
+        """Return whether it never comes where one of its bodies flies off for ever; by default it may."""
         return False
 
     @classmethod
     @abstractmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Those of a motion that are worth asking about."""
+        """Return those of a motion that are worth asking about."""
 
     @classmethod
     @abstractmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
-        """All that a sentence could speak of, by the numbers and names that stand in it."""
+        """Return all that a sentence could speak of, by the numbers and names that stand in it."""
 
     @abstractmethod
     def time(self, trace: Trace) -> float | None:
-        """When it comes, in seconds; None if it does not come while the motion is described."""
+        """Return when it comes, in seconds; None if it does not come while the motion is described."""
 
     @abstractmethod
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """How a question speaks of it, *when …*."""
+        """Return how a question speaks of it, *when …*."""
 
     def stretches(self, words: Words) -> tuple[str, ...]:
-        """How a question speaks of the stretch from the start to it; empty, as by default, if it does not."""
+        """Return how a question speaks of the stretch from the start to it; empty, as by default, if it does not."""
         del words
         return ()
 
@@ -111,22 +111,22 @@ class Moment(ABC):
         return self
 
     def in_symbols(self, trace: Trace) -> "Moment":
-        """The same moment of a motion, as a text must tell it whose symbols leave more open; by default this."""
+        """Return the same moment of a motion, as a text must tell it whose symbols leave more open; by default this."""
         del trace
         return self
 
     def subject(self, words: Words) -> str:
-        """How a question calls the one that it is about; by default it is about nothing."""
+        """Return how a question calls the one that it is about; by default it is about nothing."""
         del words
         return ""
 
     @property
     def sided(self) -> bool | None:
-        """Whether it is just after (True) or just before (False) what happens; None if its words say neither."""
+        """Return whether it is just after (True) or just before (False) what happens; None if its words say neither."""
         return None
 
     def side(self, time: float) -> float:
-        """The instant at which quantities are read: the moment itself, or just before it."""
+        """Return the instant at which quantities are read: the moment itself, or just before it."""
         return float(np.nextafter(time, 0.0)) if self.sided is False else time  # events belong to what follows them
 
 
@@ -161,10 +161,10 @@ class Happening(Moment):
 
     @abstractmethod
     def clause(self, words: Words) -> Clause | None:
-        """What happens; None if when it comes is not to be asked."""
+        """Return what happens; None if when it comes is not to be asked."""
 
     def stretches(self, words: Words) -> tuple[str, ...]:
-        """As in: from release until A first stops."""
+        """Return the phrases for the stretch, such as *from release until A first stops*."""
         clause = self.clause(words)
         if clause is None:
             return ()
@@ -175,7 +175,7 @@ class Happening(Moment):
         )
 
     def is_plain(self, study: Study) -> bool:
-        """Whether no physics is needed to tell when it comes, so that this is not asked; by default it is."""
+        """Return whether no physics is needed to tell when it comes, so that this is not asked; by default it is."""
         del study
         return False
 

@@ -53,7 +53,7 @@ class Deflected(Threshold):
         return (*self.channels, Channel(self.name, "angle turned"))
 
     def excess(self, state: State) -> Array:
-        """How far it is beyond the angle, seen from where it starts."""
+        """Return how far it is beyond the angle, seen from where it starts."""
         beyond = Deflection.evaluate(state, self.name) - self.value
         return beyond if deflection_at_start(state, self.name) < self.value else -beyond
 
@@ -73,7 +73,7 @@ class Deflected(Threshold):
         )
 
     def clause(self, words: Words) -> Clause | None:
-        """As in: the string first makes an angle of 20° with the downward vertical."""
+        """Return the clause, such as *the string first makes an angle of 20° with the downward vertical*."""
         angle = f"an angle of {words.say(self.value, self.unit)} with the downward vertical"
         return Clause(self.subject(words), "does", f"first make {angle}", f"first makes {angle}")
 
@@ -109,13 +109,13 @@ class Orbited(Passage):
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Every part of each orbit."""
+        """Return every part of each orbit."""
         del rng
         return [moment for name in cls.candidates(words) for part in PARTS if (moment := cls(name, part)).comes(study)]
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
-        """Every part of an orbit of every body that is named."""
+        """Yield every part of an orbit of every body that is named."""
         del trace
         for name in cls.candidates(words):
             if cls(name).ends(words)[1] in text:
@@ -127,7 +127,7 @@ class Orbited(Passage):
         return self.degrees == ALL_ROUND
 
     def ends(self, words: Words) -> tuple[str, str]:
-        """What is fixed, and what goes round."""
+        """Return what is fixed, and what goes round."""
         a, b = members(self.name)
         center, planet = (b, a) if center_path(words.mechanism, a).ways else (a, b)
         return words.mentions[center], words.mentions[planet]
@@ -151,13 +151,13 @@ class Orbited(Passage):
         return {90: -(now @ began), 180: -sine, ALL_ROUND: sine}[self.degrees]
 
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: when planet A has completed one orbit."""
+        """Return the phrases for the moment, such as *when planet A has completed one orbit*."""
         center, planet = self.ends(words)
         done = f"{planet} {self.verb.told}" if self.degrees == ALL_ROUND else self._swept(center, planet, "has ")
         return when_phrases(done)
 
     def clause(self, words: Words) -> Clause | None:
-        """As in: planet A has completed one orbit."""
+        """Return the clause, such as *planet A has completed one orbit*."""
         center, planet = self.ends(words)
         if self.degrees == ALL_ROUND:
             return Clause(planet, "has", self.verb.asked, self.verb.told, "to complete one orbit")
@@ -192,7 +192,7 @@ class TurnedThrough(Threshold):
 
     @classmethod
     def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
-        """A part of how far it turns, in fives of degrees, or in tens if it has three digits."""
+        """Return a part of how far it turns, in fives of degrees, or in tens if it has three digits."""
         reached = float(np.abs(AngleTurned.evaluate(trace.scan, name)).max())
         angle = spoken(5.0 * max(1, round(rng.uniform(0.2, 0.9) * min(reached, MOST) / 5.0)))
         return angle if angle < reached else None
@@ -203,7 +203,7 @@ class TurnedThrough(Threshold):
         return (*self.channels, Channel(self.name, "deflection"))
 
     def excess(self, state: State) -> Array:
-        """How much farther it is turned than the angle, either way."""
+        """Return how much farther it is turned than the angle, either way."""
         return np.abs(AngleTurned.evaluate(state, self.name)) - self.value
 
     def phrases(self, words: Words) -> tuple[str, ...]:
@@ -212,7 +212,7 @@ class TurnedThrough(Threshold):
         return when_phrases(turned)
 
     def clause(self, words: Words) -> Clause | None:
-        """As in: the rod has first turned through 30° from its starting position."""
+        """Return the clause, such as *the rod has first turned through 30° from its starting position*."""
         turned = f"first turned through {self.said(words)} from its starting position"
         takes = f"to turn through {self.said(words)} from its starting position for the first time"
         return Clause(self.subject(words), "has", turned, f"has {turned}", takes)

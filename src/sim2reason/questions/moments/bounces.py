@@ -45,18 +45,18 @@ class Bounced(VelocityJump):
         return {name: said for name, said in called if struck(words, name)}
 
     def is_this(self, event: Event, trace: Trace) -> bool:
-        """Whether the body alone is struck."""
+        """Return whether the body alone is struck."""
         del trace
         return event.kind == "collision" and event.subjects == (self.name,)
 
     def does(self, words: Words) -> Verb:
-        """As in: hits the ground."""
+        """Return the verb phrase, such as *hits the ground*."""
         what = struck(words, self.name)
         return Verb(self.verb.told.format(what=what), self.verb.asked.format(what=what))
 
 
 def struck(words: Words, name: str) -> str:
-    """What a body bounces from: the ground, the wall, a wall; empty for nothing, or for several kinds."""
+    """Return what a body bounces from: the ground, the wall, a wall; empty for nothing, or for several kinds."""
     met = [meeting for meeting in words.mechanism.meetings if meeting.names == (name,)]
     if met and all(_is_upright(meeting) for meeting in met):
         return GROUND
@@ -66,7 +66,7 @@ def struck(words: Words, name: str) -> str:
 
 
 def _is_upright(meeting: Meeting) -> bool:
-    """Whether a body falls on what it meets."""
+    """Return whether a body falls on what it meets."""
     return meeting.normal is not None and meeting.normal[2] > 1.0 - EVEN
 
 
@@ -84,7 +84,7 @@ class Landed(Occurrence):
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """What flies, and can't go below the ground."""
+        """Return what flies, and can't go below the ground."""
         found: dict[str, str] = {}
         for name, said in words.called(cls.of).items():
             body = words.mechanism.body[name]
@@ -95,7 +95,7 @@ class Landed(Occurrence):
 
     @classmethod
     def seen_as(cls, name: str, words: Words) -> set[str]:
-        """Its coordinates."""
+        """Return its coordinates."""
         return {c.name for c in words.mechanism.body[name].coordinates}
 
     @property
@@ -104,18 +104,18 @@ class Landed(Occurrence):
         return False
 
     def is_this(self, event: Event, trace: Trace) -> bool:
-        """Whether it is the end of the way down."""
+        """Return whether it is the end of the way down."""
         return event.kind == "limit" and any(
             c.name == event.subjects[0] for c in trace.mechanism.body[self.name].coordinates
         )
 
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: just before the ball reaches the ground."""
+        """Return the phrases for the moment, such as *just before the ball reaches the ground*."""
         lands = f"{self.subject(words)} {self.verb.told}"
         return (f"just before {lands}", f"immediately before {lands}", f"at the moment just before {lands}")
 
     def clause(self, words: Words) -> Clause | None:
-        """As in: the ball reaches the ground."""
+        """Return the clause, such as *the ball reaches the ground*."""
         return self.verb.clause(self.subject(words), None)
 
 

@@ -24,7 +24,7 @@ class BurnedOut(Occurrence):
     verb = Verb("runs out of fuel", "run out of fuel")
 
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: when the rocket runs out of fuel."""
+        """Return the phrases for the moment, such as *when the rocket runs out of fuel*."""
         rocket = self.subject(words)
         return (
             f"when {rocket} has burnt all its fuel",

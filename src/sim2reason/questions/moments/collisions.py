@@ -36,13 +36,13 @@ class Collided(VelocityJump):
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Those that may meet."""
+        """Return those that may meet."""
         met = {AND.join(meeting.names) for meeting in words.mechanism.meetings}
         return {name: said for name, said in words.called(cls.of).items() if name in met}
 
     @classmethod
     def seen_as(cls, name: str, words: Words) -> set[str]:
-        """Each of the two."""
+        """Return each of the two."""
         del words
         return set(members(name))
 
@@ -52,11 +52,11 @@ class Collided(VelocityJump):
         return members(self.name)
 
     def count(self, words: Words) -> int | None:
-        """Return no number where they can collide only once."""
+        """Return the ordinal of the collision for its phrase; None if the bodies can collide only once."""
         return None if self.number == 1 and meets_once(words.mechanism) else self.number
 
     def is_this(self, event: Event, trace: Trace) -> bool:
-        """Whether the two collide."""
+        """Return whether the two collide."""
         del trace
         return event.kind == "collision" and set(event.subjects) == set(self.subjects)
 
@@ -103,12 +103,12 @@ class LastCollision(Moment):
         return True
 
     def time(self, trace: Trace) -> float | None:
-        """When the last of those that were seen happens, if none can follow."""
+        """Return when the last of those that were seen happens, if none can follow."""
         times = [event.time for event in trace.events if event.kind == "collision"]
         return times[-1] if times and not trace.cut and _is_over(trace) else None
 
     def in_symbols(self, trace: Trace) -> Moment:
-        """That of those who meet: where several may, symbols leave open who does so last."""
+        """Return that of those who meet: where several may, symbols leave open who does so last."""
         if len({meeting.names for meeting in trace.mechanism.meetings}) < FEWEST:
             return self
         met = [frozenset(event.subjects) for event in trace.events if event.kind == "collision"]
@@ -117,7 +117,7 @@ class LastCollision(Moment):
         return Collided(AND.join((one, *other)), number) if other else Bounced(one, number)
 
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: just after the last collision."""
+        """Return the phrases for the moment, such as *just after the last collision*."""
         del words
         return (
             "just after the last collision",
@@ -127,7 +127,7 @@ class LastCollision(Moment):
 
 
 def _is_over(trace: Trace) -> bool:
-    """Whether at the end of what was recorded everything moves freely, and no two bodies will meet."""
+    """Return whether at the end of what was recorded everything moves freely, and no two bodies will meet."""
     end = trace.at(float(trace.state.times[-1]))
     fastest = float(np.abs(end.v).max(initial=0.0))
     if not moves_freely(trace.mechanism) or float(np.abs(end.a).max(initial=0.0)) > 0.0:

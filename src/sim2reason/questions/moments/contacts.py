@@ -29,7 +29,7 @@ class BeganToSlip(SlipChange):
     verb = Verb("begins to slip", "begin to slip")
 
     def is_this(self, event: Event, trace: Trace) -> bool:
-        """Whether it stuck before."""
+        """Return whether it stuck before."""
         return event.kind == "slip" and event.subjects[0] == self.name and not self.slipped(event, trace)
 
 
@@ -77,7 +77,7 @@ class LeftFace(Occurrence):
     verb = Verb("loses contact with {surface}", "lose contact with {surface}")
 
     def does(self, words: Words) -> Verb:
-        """As in: loses contact with the dome."""
+        """Return the verb phrase, such as *loses contact with the dome*."""
         surface = words.fills(self.of, self.name)["surface"]
         return Verb(self.verb.told.format(surface=surface), self.verb.asked.format(surface=surface))
 
@@ -134,7 +134,7 @@ class StoppedSlipping(SlipChange):
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """What rolls, and what lies on something that moves; on what is fixed it would just come to rest."""
+        """Return what rolls, and what lies on something that moves; on what is fixed it would just come to rest."""
         mechanism = words.mechanism
         called = words.called(cls.of).items()
         return {n: said for n, said in called if rolls(words, n) or mechanism.body[n].parent is not None}
@@ -158,9 +158,9 @@ class StoppedSlipping(SlipChange):
         return Verb(verb.told.format(surface=surface), verb.asked.format(surface=surface))
 
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: when the ball first begins to roll without slipping."""
+        """Return the phrases for the moment, such as *when the ball first begins to roll without slipping*."""
         return self._verb(words).phrases(self.subject(words), 1)
 
     def clause(self, words: Words) -> Clause | None:
-        """As in: the ball first begins to roll without slipping."""
+        """Return the clause, such as *the ball first begins to roll without slipping*."""
         return self._verb(words).clause(self.subject(words), 1)

@@ -59,12 +59,12 @@ class Away(DistanceThreshold):
         return {n: s for n, s in called if _has_axes(words, n) and not center_path(mechanism, n).straight}
 
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: when the puck is first 0.50 m from its starting point."""
+        """Return the phrases for the moment, such as *when the puck is first 0.50 m from its starting point*."""
         first = f"{self.subject(words)} is first {self.said(words)} from its starting point"
         return when_phrases(first)
 
     def clause(self, words: Words) -> Clause | None:
-        """As in: the puck is first 0.50 m from its starting point."""
+        """Return the clause, such as *the puck is first 0.50 m from its starting point*."""
         there = f"first {self.said(words)} from its starting point"
         return Clause(self.subject(words), "is", there, f"is {there}")
 
@@ -88,7 +88,7 @@ class Closest(Apsis):
         return -DistanceBetween.evaluate(state, self.name)
 
     def excess(self, state: State) -> Array:
-        """How fast they part."""
+        """Return how fast they part."""
         return self.receding(state)
 
 
@@ -106,7 +106,7 @@ class Farthest(Apsis):
         return DistanceBetween.evaluate(state, self.name)
 
     def excess(self, state: State) -> Array:
-        """How fast they approach."""
+        """Return how fast they approach."""
         return -self.receding(state)
 
 
@@ -142,14 +142,14 @@ class Moved(DistanceThreshold):
             yield from (moment, *(replace(moment, towards=side) for side in sides))
 
     def excess(self, state: State) -> Array:
-        """How much farther it is than the distance, on its side."""
+        """Return how much farther it is than the distance, on its side."""
         sense = self.sense(state.mechanism) if self.towards else None
         if sense is None:
             return super(Moved, self).excess(state)
         return self.towards * (Displacement.evaluate(state, self.name) @ np.array(sense.vector)) - self.value
 
     def time(self, trace: Trace) -> float | None:
-        """When it is first so far away; if it has not turned back before, unless it may, or collides."""
+        """Return when it is first so far away; if it has not turned back before, unless it may, or collides."""
         found = first_crossing(trace, self.excess)
         if found is None or self.towards or _collides(trace.mechanism, self.name):
             return found
@@ -164,7 +164,7 @@ class Moved(DistanceThreshold):
         return replace(self, towards=1 if ahead else -1)
 
     def sense(self, mechanism: Mechanism) -> Sense | None:
-        """That of its line, if a side of it has a name."""
+        """Return that of its line, if a side of it has a name."""
         senses = Bodies().senses(mechanism, self.name)
         return next(
             (s for s in senses if len(senses) == 1 and (s.axis or s.positive.partition(" ")[0] in OPPOSITE)), None
@@ -195,7 +195,7 @@ class Moved(DistanceThreshold):
         return f"{said} {way} {rest} from {start}" if rest else f"{said} {ABOVE[way]} {start}"
 
     def _may_return(self, words: Words) -> bool:
-        """Whether the way that it has gone may be longer than the distance, as far as a text tells."""
+        """Return whether the way that it has gone may be longer than the distance, as far as a text tells."""
         return bool(self.towards) or _collides(words.mechanism, self.name) or (words.symbolic and words.turns_back)
 
     def phrases(self, words: Words) -> tuple[str, ...]:
@@ -207,7 +207,7 @@ class Moved(DistanceThreshold):
         return (f"after {moved}", f"when {moved}", f"at the moment when {moved}")
 
     def clause(self, words: Words) -> Clause | None:
-        """As in: the block has moved 0.50 m."""
+        """Return the clause, such as *the block has moved 0.50 m*."""
         said = self.said(words)
         if self._may_return(words):
             there = self._there(words, f"first {said}")
@@ -218,12 +218,12 @@ class Moved(DistanceThreshold):
 
 
 def _collides(mechanism: Mechanism, name: str) -> bool:
-    """Whether a body may meet another one, or what is fixed."""
+    """Return whether a body may meet another one, or what is fixed."""
     return any(name in meeting.names for meeting in mechanism.meetings)
 
 
 def _turns_back(trace: Trace, name: str, until: float) -> bool:
-    """Whether a body that moves along a line reverses before a time."""
+    """Return whether a body that moves along a line reverses before a time."""
     way = np.array(center_path(trace.mechanism, name).ways[0])
     speeds = (Velocity.evaluate(trace.scan, name) @ way)[trace.scan.times <= until]
     return bool(speeds.min(initial=0.0) * speeds.max(initial=0.0) < -1e-9 * float(np.abs(speeds).max(initial=0.0)) ** 2)

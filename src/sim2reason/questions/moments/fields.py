@@ -152,7 +152,7 @@ class VelocityTurned(FieldPassage, Threshold):
 
     @classmethod
     def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
-        """An angle that is reached."""
+        """Return an angle that is reached."""
         met = [angle for angle in ANGLES if cls(name, angle).time(trace) is not None]
         return met[int(rng.integers(len(met)))] if met else None
 

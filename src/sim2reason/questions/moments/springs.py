@@ -32,7 +32,7 @@ class MostCompressed(SpringTurn):
     local_verb = Verb("reaches a maximum of its compression", "reach a maximum of its compression")
 
     def sign(self) -> float:
-        """Its length is then the shortest."""
+        """Return -1, since the length is least then."""
         return -1.0
 
 
@@ -46,7 +46,7 @@ class MostStretched(SpringTurn):
     local_verb = Verb("reaches a maximum of its extension", "reach a maximum of its extension")
 
     def sign(self) -> float:
-        """Its length is then the longest."""
+        """Return 1, since the length is greatest then."""
         return 1.0
 
 
@@ -76,7 +76,7 @@ class NaturalLength(Passage):
         return self.again if _relaxed(words.mechanism, self.name) else self.verb
 
     def excess(self, state: State) -> Array:
-        """How far it is stretched."""
+        """Return how far it is stretched."""
         return Extension.evaluate(state, self.name)
 
     def time(self, trace: Trace) -> float | None:

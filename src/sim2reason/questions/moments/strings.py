@@ -33,7 +33,7 @@ class WentTaut(VelocityJump):
     verb = Verb("becomes taut", "become taut")
 
     def does(self, words: Words) -> Verb:
-        """What it does, as a text says it of a string that it calls taut or slack at the start."""
+        """Return what it does, as a text says it of a string that it calls taut or slack at the start."""
         law = words.mechanism.line[self.name].law
         spare = isinstance(law, Inextensible) and law.slack > 0.0
         return self.verb if spare else Verb("becomes taut again", "become taut again")

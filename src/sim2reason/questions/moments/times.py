@@ -26,7 +26,7 @@ class AtStart(Moment):
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Every motion has one."""
+        """Return the only moment of this class, which every motion has."""
         del study, words, rng
         return [cls()]
 
@@ -42,7 +42,7 @@ class AtStart(Moment):
         return 0.0
 
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: just after release."""
+        """Return the phrases for the moment, such as *just after release*."""
         if words.released:
             return ("just after release", "immediately after release", "at the instant of release")
         return ("just after t = 0", "immediately after t = 0", "at t = 0")
@@ -56,7 +56,7 @@ class AllAlong(AtStart):
     label = "all along"
 
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: after release."""
+        """Return the phrases for the moment, such as *after release*."""
         if words.released:
             return ("after release", "after the release", "in the motion after release")
         return ("during the motion", "throughout the motion", "while the motion lasts")
@@ -88,7 +88,7 @@ class AtTime(Moment):
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
-        """Every number of seconds."""
+        """Return every number of seconds."""
         del trace
         return (cls(number) for number in words.heard(text, "s"))
 
@@ -102,11 +102,11 @@ class AtTime(Moment):
         return type(self)(*numbers)
 
     def time(self, trace: Trace) -> float | None:
-        """The time itself, while the motion is described."""
+        """Return the time itself, while the motion is described."""
         return self.after if self.after <= trace.stable_until else None
 
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: 0.80 s after release."""
+        """Return the phrases for the moment, such as *0.80 s after release*."""
         if words.released:
             time = words.amount(self.after, "s")
             return (f"{time} after release", f"{time} after the release", f"{time} after the start")
@@ -114,7 +114,7 @@ class AtTime(Moment):
         return (f"at t = {time}", f"at the time t = {time}", f"at the instant t = {time}")
 
     def stretches(self, words: Words) -> tuple[str, ...]:
-        """As in: in the first 0.80 s after release."""
+        """Return the phrases for the stretch, such as *in the first 0.80 s after release*."""
         time, later = words.say(self.after, "s"), words.amount(self.after, "s")
         if words.released and later != time:
             return (f"between release and {later} later", f"from release until {later} later")
@@ -195,6 +195,6 @@ class WholeMotion(Moment):
         return f"over the whole motion, to rest at {until:.6g} {unit}"
 
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: in the motion that follows."""
+        """Return the phrases for the moment, such as *in the motion that follows*."""
         del words
         return ("in the motion that follows", "during the motion that follows", "in the course of the motion")

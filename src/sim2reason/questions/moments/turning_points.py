@@ -105,7 +105,7 @@ class Stopped(Occurrence):
 
     @classmethod
     def seen_as(cls, name: str, words: Words) -> set[str]:
-        """Its coordinates turn back, it sticks or slips itself; or something else does that it is tied to."""
+        """Return the names under which events report the stop of a body: coordinates and contacts of any body."""
         del name
         return {c.name for c in words.mechanism.coordinates} | words.mechanism.contacts.keys()
 
@@ -145,7 +145,7 @@ class Stopped(Occurrence):
                 yield time
 
     def is_this(self, event: Event, trace: Trace) -> bool:
-        """Whether the body is at rest then, and was not before."""
+        """Return whether the body is at rest then, and was not before."""
         if event.kind not in self.kinds:
             return False
         times, speeds = trace.scan.times, np.linalg.norm(Velocity.evaluate(trace.scan, self.name), axis=1)
@@ -156,7 +156,7 @@ class Stopped(Occurrence):
 
 
 def _spins_on(mechanism: Mechanism, name: str) -> bool:
-    """Whether a body that has a size turns and slides, and no face lets the one go only with the other."""
+    """Return whether a body that has a size turns and slides, and no face lets the one go only with the other."""
     kinds = {coordinate.kind for coordinate in mechanism.body[name].coordinates}
     face = mechanism.contacts.get(name)
     return kinds == {"slide", "hinge"} and extended(mechanism, name) and (face is None or face.friction < inf)
@@ -181,7 +181,7 @@ class Halted(Stopped):
     verb = again = Verb("comes to rest for good", "come to rest for good")
 
     def is_this(self, event: Event, trace: Trace) -> bool:
-        """Whether it stops then, has stopped before, and nothing ever moves again."""
+        """Return whether it stops then, has stopped before, and nothing ever moves again."""
         if not Stopped.is_this(self, event, trace) or not ends_at_rest(trace):
             return False
         times, speeds = trace.scan.times, _speeds(trace, self.name)
@@ -205,11 +205,11 @@ class HighestPoint(TurningPoint):
     local_verb = Verb("stops rising", "stop rising")
 
     def extent(self, state: State) -> Array:
-        """Its height from where it began."""
+        """Return its height from where it began."""
         return Displacement.evaluate(state, self.name)[:, 2]
 
     def excess(self, state: State) -> Array:
-        """How fast it falls."""
+        """Return how fast it falls."""
         return -Velocity.evaluate(state, self.name)[:, 2]
 
 
@@ -237,15 +237,15 @@ class LowestPoint(TurningPoint):
         return not hinges or bool(np.any(turning > STANDS * fastest))
 
     def extent(self, state: State) -> Array:
-        """Its depth from where it began."""
+        """Return its depth from where it began."""
         return -Displacement.evaluate(state, self.name)[:, 2]
 
     def excess(self, state: State) -> Array:
-        """How fast it rises."""
+        """Return how fast it rises."""
         return Velocity.evaluate(state, self.name)[:, 2]
 
 
 def _hinges(mechanism: Mechanism, name: str) -> list[int]:
-    """The coordinates with which the first body turns that turns at all, of itself and those that carry it."""
+    """Return the coordinates with which the first body turns that turns at all, of itself and those that carry it."""
     each = ([c for c in body.coordinates if c.kind == "hinge"] for body in chain(mechanism, name))
     return [mechanism.number[c.name] for c in next(filter(None, each), ())]

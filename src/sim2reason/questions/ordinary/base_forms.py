@@ -128,7 +128,7 @@ _PASSING = frozenset(
         "swing move fly roll slide travel pass passage sweep fall rise arrive",
     )
 )
-"""Verbs that say nothing beside a place that a body passes."""
+"""Verbs of motion that a reader may ignore where a clause names the place that a body passes."""
 _WITH = re.compile(rf"(?:with|into|against|by|of) (?:<> +)?(?:its +)?(?:first +)?{S}")  # *its collision with C*
 _ORDINAL = pattern("ORDINAL")
 

@@ -1,4 +1,4 @@
-"""Outcomes: what a motion does or does not do, so that a question can ask from where on it does; one file each."""
+"""Outcomes: what a motion does or does not do, so that a question can ask for the threshold between the two."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
@@ -42,24 +42,24 @@ class PossibleOutcome(ABC):
 
     @classmethod
     def parsed(cls, text: str, words: Words) -> Iterator[Self]:
-        """Every subject that is named."""
+        """Return every subject that is named."""
         return (cls(name) for name, phrase in cls.candidates(words).items() if phrase in text)
 
     @classmethod
     @abstractmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """The subjects that may do it, by name, as the text calls them."""
+        """Return the subjects that may do it, by name, as the text calls them."""
 
     @abstractmethod
     def duration(self, scene: Scene) -> float:
-        """How long a motion must be followed to see it, s, as a rule."""
+        """Return how long a motion must be followed to see it, s, as a rule."""
 
     @abstractmethod
     def happens(self, trace: Trace) -> bool | None:
-        """Whether it does it in a motion of any engine; None if that must be followed for longer."""
+        """Return whether it does it in a motion of any engine; None if that must be followed for longer."""
 
     def excess(self, trace: Trace) -> float | None:
-        """What goes to zero evenly towards where the outcome changes, in a motion that `tells`; by default none.
+        """Return what goes to zero evenly towards where the outcome changes, in a motion that `tells`; by default none.
 
         It only saves trials: whether the outcome happens decides where it changes.
         """
@@ -74,7 +74,7 @@ class PossibleOutcome(ABC):
         """Clauses that it does not: *A stays at rest on B*."""
 
     def subject(self, words: Words) -> str:
-        """How a question calls it."""
+        """Return how a question calls it."""
         return self.candidates(words)[self.name]
 
 
@@ -83,7 +83,7 @@ class Swinging(PossibleOutcome):
     """What swings does, so that it shows in part of a swing or in some, and is followed until it does."""
 
     def duration(self, scene: Scene) -> float:
-        """A part of the horizon, which is that of some swings."""
+        """Return a part of the horizon, which is that of some swings."""
         return scene.horizon / 4.0
 
 
@@ -92,7 +92,7 @@ class Onset(PossibleOutcome):
     """What a release brings about at once, or never, since no force changes."""
 
     def duration(self, scene: Scene) -> float:
-        """A moment."""
+        """Return a moment."""
         return ONSET * scene.horizon
 
 
@@ -102,7 +102,7 @@ def rest_speed_noise(trace: Trace) -> float:
 
 
 def is_steady_release(words: Words) -> bool:
-    """Whether all starts from rest, and what it does at first it goes on doing."""
+    """Return whether all starts from rest, and what it does at first it goes on doing."""
     mechanism: Mechanism = words.mechanism
     return words.released and not changing(mechanism)
 

@@ -31,7 +31,7 @@ class Slides(Onset):
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """What lies on a rough face and does not roll."""
+        """Return what lies on a rough face and does not roll."""
         if not is_steady_release(words):
             return {}
         contacts = words.mechanism.contacts
@@ -39,19 +39,19 @@ class Slides(Onset):
         return {n: said for n, said in called if contacts[n].friction > 0.0 and not rolls(words, n)}
 
     def happens(self, trace: Trace) -> bool:
-        """Whether it has a velocity on its face."""
+        """Return whether it has a velocity on its face."""
         return self.excess(trace) > 0.0
 
     def excess(self, trace: Trace) -> float:
-        """The fastest that it slips, but for what is none."""
+        """Return the fastest that it slips, but for what is none."""
         return float(np.abs(slip(trace.state, self.name)).max()) - rest_speed_noise(trace)
 
     def does(self, words: Words) -> tuple[str, ...]:
-        """As in: block A slips on the plane."""
+        """Return the verb phrase, such as *block A slips on the plane*."""
         return tuple(f"{self.subject(words)} {verb}" for verb in self._verbs(words, "slips", "begins to slip"))
 
     def does_not(self, words: Words) -> tuple[str, ...]:
-        """As in: block A does not slip on the plane."""
+        """Return the negated statement, such as *block A does not slip on the plane*."""
         subject = self.subject(words)
         rests = () if words.mechanism.body[self.name].parent is not None else (f"{subject} stays at rest",)
         return (*rests, *(f"{subject} {verb}" for verb in self._verbs(words, "does not slip")))
@@ -73,7 +73,7 @@ class SlipsRolling(PossibleOutcome):
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """What may roll on a face that is rough, but not so rough that nothing ever slips."""
+        """Return what may roll on a face that is rough, but not so rough that nothing ever slips."""
         mechanism = words.mechanism
         return {
             name: said
@@ -86,30 +86,30 @@ class SlipsRolling(PossibleOutcome):
         }
 
     def duration(self, scene: Scene) -> float:
-        """The horizon."""
+        """Return the horizon."""
         return scene.horizon
 
     def happens(self, trace: Trace) -> bool:
-        """Whether it ever slips."""
+        """Return whether it ever slips."""
         return self.excess(trace) > 0.0
 
     def excess(self, trace: Trace) -> float:
-        """The fastest that it slips, but for what is none."""
+        """Return the fastest that it slips, but for what is none."""
         return float(np.abs(slip(trace.state, self.name)).max()) - rest_speed_noise(trace)
 
     def does(self, words: Words) -> tuple[str, ...]:
-        """As in: the cylinder slips."""
+        """Return the verb phrase, such as *the cylinder slips*."""
         subject = self.subject(words)
         return (f"{subject} slips", f"{subject} slips as it rolls")
 
     def does_not(self, words: Words) -> tuple[str, ...]:
-        """As in: the cylinder rolls without slipping."""
+        """Return the negated statement, such as *the cylinder rolls without slipping*."""
         subject = self.subject(words)
         return (f"{subject} rolls without slipping", f"{subject} does not slip")
 
 
 def _slip_at_start(mechanism: Mechanism, name: str) -> float:
-    """The velocity with which a body slips on its face at t = 0, m/s."""
+    """Return the velocity with which a body slips on its face at t = 0, m/s."""
     speeds = {coordinate.name: coordinate.speed for coordinate in mechanism.coordinates}
     return sum(factor * speeds[coordinate] for coordinate, factor in mechanism.contacts[name].slip)
 

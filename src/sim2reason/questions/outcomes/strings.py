@@ -30,7 +30,7 @@ class GoesSlack(Swinging):
         return {n: said for n, said in called if n in lines and isinstance(lines[n].law, Inextensible)}
 
     def happens(self, trace: Trace) -> bool | None:
-        """Whether there is such an event; no once it has swung to both sides, or gone round."""
+        """Return whether there is such an event; no once it has swung to both sides, or gone round."""
         if any(event.kind == "slack" and event.subjects[0] == self.name for event in trace.events):
             return True
         level = {c.name for c in trace.mechanism.coordinates if c.axis[2] == 0.0}
@@ -38,16 +38,16 @@ class GoesSlack(Swinging):
         return False if sides >= BOTH else None
 
     def excess(self, trace: Trace) -> float:
-        """The least tension."""
+        """Return the least tension."""
         return float(trace.scan.tension[self.name].min())
 
     def does(self, words: Words) -> tuple[str, ...]:
-        """As in: the string goes slack."""
+        """Return the verb phrase, such as *the string goes slack*."""
         subject = self.subject(words)
         return (f"{subject} goes slack at some time", f"{subject} goes slack on the way")
 
     def does_not(self, words: Words) -> tuple[str, ...]:
-        """As in: the string stays taut."""
+        """Return the negated statement, such as *the string stays taut*."""
         subject = self.subject(words)
         return (f"{subject} stays taut throughout", f"{subject} never goes slack")
 
@@ -102,19 +102,19 @@ class Rises(Onset):
         return {n: said for n, said in called if paths[n].straight and paths[n].rises and not rides(mechanism, n)}
 
     def happens(self, trace: Trace) -> bool:
-        """Whether it has an upward velocity."""
+        """Return whether it has an upward velocity."""
         return self.excess(trace) > 0.0
 
     def excess(self, trace: Trace) -> float:
-        """That velocity, but for what is none."""
+        """Return that velocity, but for what is none."""
         return float(Velocity.evaluate(trace.state, self.name)[-1, 2]) - rest_speed_noise(trace)
 
     def does(self, words: Words) -> tuple[str, ...]:
-        """As in: block A starts to move up the slope."""
+        """Return the verb phrase, such as *block A starts to move up the slope*."""
         return (f"{self.subject(words)} starts to move {self._way(words)}",)
 
     def does_not(self, words: Words) -> tuple[str, ...]:
-        """As in: block A does not start to move up the slope."""
+        """Return the negated statement, such as *block A does not start to move up the slope*."""
         return (f"{self.subject(words)} does not start to move {self._way(words)}",)
 
     def _way(self, words: Words) -> str:

@@ -91,11 +91,11 @@ class GoesRound(Swinging):
         return float(np.square(trace.scan.v[:, hinges].sum(axis=1)).min())
 
     def does(self, words: Words) -> tuple[str, ...]:
-        """As in: the rod makes a full turn."""
+        """Return the verb phrase, such as *the rod makes a full turn*."""
         subject = self.subject(words)
         return (f"{subject} makes a full turn", f"{subject} goes right round")
 
     def does_not(self, words: Words) -> tuple[str, ...]:
-        """As in: the rod does not make a full turn."""
+        """Return the negated statement, such as *the rod does not make a full turn*."""
         subject = self.subject(words)
         return (f"{subject} does not make a full turn", f"{subject} does not go right round")

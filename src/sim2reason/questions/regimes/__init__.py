@@ -1,4 +1,4 @@
-"""Regimes: what is true of a motion and need not be of one with other numbers, one file each.
+"""Regimes: what is true of a motion and need not be of one with other numbers.
 
 A formula holds in one of them; where the numbers of a text are symbols, the question says which one it means.
 """
@@ -37,19 +37,19 @@ class Regime(ABC):
     @classmethod
     @abstractmethod
     def possible(cls, study: Study, words: Words) -> Sequence[Self]:
-        """Those that a motion of such a scene may be in, as far as the text has words for them."""
+        """Return those that a motion of such a scene may be in, as far as the text has words for them."""
 
     @abstractmethod
     def holds(self, study: Study, until: float) -> bool:
-        """Whether it is so in another motion up to a time, s."""
+        """Return whether it is so in another motion up to a time, s."""
 
     def always_told(self, study: Study) -> bool:
-        """Whether a formula without it can not be read, whatever the numbers of the scene; by default not."""
+        """Return whether a formula without it can not be read, whatever the numbers of the scene; by default not."""
         del study
         return False
 
     def regardless_of(self, study: Study, path: str) -> bool:
-        """Whether it is of where things are at the start, whatever the number at an address is."""
+        """Return whether it is of where things are at the start, whatever the number at an address is."""
         del study, path
         return self.at_start
 
@@ -59,7 +59,7 @@ class Regime(ABC):
         return False
 
     def margin(self, study: Study, until: float) -> float | None:
-        """How far another motion that is in it up to a time, s, is from losing it, beside what weights do.
+        """Return how far another motion that is in it up to a time, s, is from losing it, beside what weights do.
 
         In any unit, since it only says which way leads there. By default nothing tells.
         """
@@ -83,10 +83,10 @@ REGIMES: Registry[type[Regime]] = Registry("questions.regimes")
 
 
 def possible(study: Study, words: Words) -> list[Regime]:
-    """All that motions of such a scene may be in."""
+    """Return all that motions of such a scene may be in."""
     return [found for cls in REGIMES.values() for found in cls.possible(study, words)]
 
 
 def regimes(study: Study, words: Words, until: float) -> list[Regime]:
-    """All that a motion is in, up to a time, s."""
+    """Return all that a motion is in, up to a time, s."""
     return [found for found in possible(study, words) if found.holds(study, until)]

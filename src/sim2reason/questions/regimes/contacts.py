@@ -36,13 +36,13 @@ class CollideInTurn(Regime):
 
     @classmethod
     def possible(cls, study: Study, words: Words) -> Sequence[Self]:
-        """All short lists of those for which the text has words."""
+        """Return all short lists of those for which the text has words."""
         met = [names for names in _meetings(study.mechanism) if _said(names, words)]
         lengths = [n for n in range(MOST + 1) if len(met) ** n <= ORDERS] if met else []
         return [cls("", order) for n in lengths for order in product(met, repeat=n)]
 
     def holds(self, study: Study, until: float) -> bool:
-        """Whether just these come there."""
+        """Return whether just these come there."""
         came = [subjects for kind, subjects in study.trace.story(until) if kind == "collision"]
         return [*map(set, came)] == [*map(set, self.order)]
 
@@ -64,7 +64,7 @@ class CollideInTurn(Regime):
 
 
 def _meetings(mechanism: Mechanism) -> list[tuple[str, ...]]:
-    """Who can meet whom, or what is fixed."""
+    """Return who can meet whom, or what is fixed."""
     return list(dict.fromkeys(meeting.names for meeting in mechanism.meetings))
 
 
@@ -114,7 +114,7 @@ class SlidesThroughout(Regime):
         return [*slides, *(cls(name, slides=False) for name in rough)]
 
     def holds(self, study: Study, until: float) -> bool:
-        """Whether it is so there."""
+        """Return whether it is so there."""
         found = _slides(study, self.name, until)
         return found[0] is self.slides and (found[1] == self.course or not _ways(study.mechanism, self.name))
 
@@ -167,7 +167,7 @@ def _ways(mechanism: Mechanism, name: str) -> dict[int, str]:
 
 
 def _slides(study: Study, name: str, until: float) -> tuple[bool | None, Course]:
-    """Whether it slides throughout, if only to and fro; None if it does for a while. And its course."""
+    """Return whether it slides throughout, if only to and fro; None if it does for a while. And its course."""
     soon = _soon(study, until)
     scan = study.trace.scan
     within = (scan.times > soon) & (scan.times < until)

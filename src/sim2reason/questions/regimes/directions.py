@@ -48,12 +48,12 @@ class StartsAcute(Regime):
         return [cls(name) for name in words.called(cls.of) if name not in extended]
 
     def holds(self, study: Study, until: float) -> bool:
-        """Whether it is so in another motion."""
+        """Return whether it is so in another motion."""
         del until
         return deflection_at_start(study.trace.at(0.0), self.name) < RIGHT_ANGLE
 
     def clause(self, words: Words) -> str:
-        """As in: the rod makes an acute angle with the downward vertical at the start."""
+        """Return the clause, such as *the rod makes an acute angle with the downward vertical at the start*."""
         return f"{words.called(self.of)[self.name]} makes an acute angle with the downward vertical at the start"
 
 
@@ -77,7 +77,7 @@ class DeflectedBeyondStart(Regime):
         return [cls(name, larger) for name in words.called(cls.of) for larger in (True, False) if "deg" in words.own]
 
     def holds(self, study: Study, until: float) -> bool:
-        """Whether it is so then; not where a slack string points nowhere."""
+        """Return whether it is so then; not where a slack string points nowhere."""
         state = study.trace.at(until)
         more = float(Deflection.evaluate(state, self.name)[0]) - deflection_at_start(state, self.name)
         return more > APART if self.larger else more < -APART
@@ -110,16 +110,16 @@ class MovesOneWay(Regime):
         return [cls(name, sense.positive, ahead) for name, sense in senses for ahead in (True, False)]
 
     def holds(self, study: Study, until: float) -> bool:
-        """Whether it moves that way there."""
+        """Return whether it moves that way there."""
         return (until > 0.0 or not changing(study.mechanism)) and self.begins(study, until)
 
     def begins(self, study: Study, until: float = 0.0) -> bool:
-        """Whether it moves that way up to a time, s, whatever it does later."""
+        """Return whether it moves that way up to a time, s, whatever it does later."""
         sense = next((s for s in _senses(study, self.name) if s.positive == self.positive), None)
         return sense is not None and _side(study, self.name, sense.vector, until) == (1 if self.ahead else -1)
 
     def margin(self, study: Study, until: float) -> float | None:
-        """The velocity that way then, or the acceleration at the start, as a share of what free fall has."""
+        """Return the velocity that way then, or the acceleration at the start, as a share of what free fall has."""
         sense = next((s for s in _senses(study, self.name) if s.positive == self.positive), None)
         if sense is None:
             return None
@@ -138,7 +138,7 @@ class MovesOneWay(Regime):
 
     @property
     def motion(self) -> str:
-        """As in: moves down the slope."""
+        """Return a text such as *moves down the slope*."""
         first, space, rest = self.positive.partition(" ")
         way = first if self.ahead else OPPOSITE[first]
         towards = f"to the {way}" if first == RIGHT else way
@@ -146,12 +146,12 @@ class MovesOneWay(Regime):
 
 
 def _of_free_fall(study: Study, until: float) -> float:
-    """The velocity of free fall at a time, s, its acceleration at the start, or 1 if there is no gravity."""
+    """Return the velocity of free fall at a time, s, its acceleration at the start, or 1 if there is no gravity."""
     return float(np.linalg.norm(study.mechanism.gravity)) * (until or 1.0) or 1.0
 
 
 def _senses(study: Study, name: str) -> list[Sense]:
-    """That of the line along which a body moves, if the text has words for it."""
+    """Return that of the line along which a body moves, if the text has words for it."""
     if not center_path(study.mechanism, name).straight:
         return []
     senses = Bodies().senses(study.mechanism, name)
@@ -196,12 +196,12 @@ class MovesFirst(Regime):
         return [cls(way.name, way) for way in MovesOneWay.possible(study, words)] if words.released else []
 
     def holds(self, study: Study, until: float) -> bool:
-        """Whether it is about to move that way."""
+        """Return whether it is about to move that way."""
         del until
         return self.way.begins(study)
 
     def clause(self, words: Words) -> str:
-        """As in: block A first moves down the slope."""
+        """Return the clause, such as *block A first moves down the slope*."""
         return f"{words.called(self.of)[self.name]} first {self.way.motion}"
 
 
@@ -228,13 +228,13 @@ class SideOfCenterOfMass(Regime):
         return [cls(name, same) for name in firsts if name in named for same in (True, False)]
 
     def holds(self, study: Study, until: float) -> bool:
-        """Whether it is so in another motion."""
+        """Return whether it is so in another motion."""
         del until
         side = self._side(study.mechanism)
         return side > 0.0 if self.same else side < 0.0
 
     def _side(self, mechanism: Mechanism) -> float:
-        """How far on the side of the body the centre of mass is, times the distance of the body, m²."""
+        """Return how far on the side of the body the centre of mass is, times the distance of the body, m²."""
         body = mechanism.body[self.name]
         return inner(load_center(mechanism, mechanism.body[body.parent or ""]), body.at)
 

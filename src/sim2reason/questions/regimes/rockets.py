@@ -34,19 +34,19 @@ class BurntOut(Regime):
 
     @classmethod
     def possible(cls, study: Study, words: Words) -> Sequence[Self]:
-        """What burns fuel."""
+        """Return what burns fuel."""
         named = [burn.body for burn in study.mechanism.burns if burn.body in words.called(cls.of)]
         body = study.mechanism.body
         falls = {name: "s" in words.own and any(c.lower > -inf for c in body[name].coordinates) for name in named}
         return [held for name in named for held in (cls(name, out=True, falls=falls[name]), cls(name, out=False))]
 
     def holds(self, study: Study, until: float) -> bool:
-        """Whether the moment is later than burn-out, or earlier; at burn-out itself nothing need be said."""
+        """Return whether the moment is later than burn-out, or earlier; at burn-out itself nothing need be said."""
         end = self._end(study)
         return until > end * (1.0 + THEN) if self.out else 0.0 < until < end * (1.0 - THEN)
 
     def margin(self, study: Study, until: float) -> float | None:
-        """How much later than burn-out the moment is, or earlier, as a share of how long it burns."""
+        """Return how much later than burn-out the moment is, or earlier, as a share of how long it burns."""
         later = until / self._end(study) - 1.0
         return later if self.out else -later
 
@@ -54,7 +54,7 @@ class BurntOut(Regime):
         return max(burn.until for burn in study.mechanism.burns if burn.body == self.name)
 
     def always_told(self, study: Study) -> bool:
-        """Its symbols do not say how long it burns."""
+        """Return its symbols do not say how long it burns."""
         del study
         return True
 
@@ -93,7 +93,7 @@ class DelayedLiftoff(Regime):
 
     @classmethod
     def possible(cls, study: Study, words: Words) -> Sequence[Self]:
-        """What burns fuel and stands on something."""
+        """Return what burns fuel and stands on something."""
         if not any(isinstance(line.law, Prop) for line in study.mechanism.lines):
             return []
         named = words.called(cls.of)
@@ -101,7 +101,7 @@ class DelayedLiftoff(Regime):
         return [cls(body, waits) for body in found for waits in (True, False)]
 
     def holds(self, study: Study, until: float) -> bool:
-        """Whether it is accelerated as the engine starts; or it is not, but moves when that stops."""
+        """Return whether it is accelerated as the engine starts; or it is not, but moves when that stops."""
         del until
         trace = study.trace
         burnt = min(*(burn.until for burn in trace.mechanism.burns if burn.body == self.name), trace.stable_until)
@@ -124,7 +124,7 @@ class DelayedLiftoff(Regime):
         return (thrust / weight - 1.0) * (-1.0 if self.waits else 1.0) if weight else None
 
     def clause(self, words: Words) -> str:
-        """As in: the rocket lifts off as soon as its engine starts."""
+        """Return the clause, such as *the rocket lifts off as soon as its engine starts*."""
         called = words.called(self.of)[self.name]
         if not self.waits:
             return f"{called} lifts off as soon as its engine starts"

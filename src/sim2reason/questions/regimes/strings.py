@@ -17,7 +17,7 @@ SLACK = 1e-9  # N
 
 
 def is_driven(mechanism: Mechanism) -> bool:
-    """Whether a spring or a hand acts in it."""
+    """Return whether a spring or a hand acts in it."""
     return any(isinstance(line.law, Elastic | ConstantTension) for line in mechanism.lines)
 
 
@@ -31,12 +31,12 @@ class StaysTaut(Regime):
 
     @classmethod
     def possible(cls, study: Study, words: Words) -> Sequence[Self]:
-        """Every string."""
+        """Return every string."""
         del study
         return [cls(name) for name in words.called(cls.of)]
 
     def holds(self, study: Study, until: float) -> bool:
-        """Whether it pulls throughout; a tension that is not determined, between two at rest, is not gone."""
+        """Return whether it pulls throughout; a tension that is not determined, between two at rest, is not gone."""
         scan = study.trace.scan
         return not bool((scan.tension[self.name][scan.times <= until] <= SLACK).any())
 
@@ -62,11 +62,11 @@ class StaysTaut(Regime):
         return slackens or (is_driven(study.mechanism) and len(study.mechanism.strings) == 1)
 
     def is_lost(self, study: Study) -> bool:
-        """Where it goes slack."""
+        """Return where it goes slack."""
         return not self.holds(study, inf)
 
     def clause(self, words: Words) -> str:
-        """As in: the string stays taut."""
+        """Return the clause, such as *the string stays taut*."""
         return f"{words.called(self.of)[self.name]} stays taut"
 
 
@@ -84,18 +84,18 @@ class AllStayTaut(Regime):
         return [cls("")] if len({line.name.partition("/")[0] for line in study.mechanism.strings}) > 1 else []
 
     def holds(self, study: Study, until: float) -> bool:
-        """Whether there is a tension in each throughout."""
+        """Return whether there is a tension in each throughout."""
         return all(StaysTaut(line.name).holds(study, until) for line in study.mechanism.strings)
 
     def always_told(self, study: Study) -> bool:
-        """Where there is a spring or a hand, too, which may drive one end faster than loads can follow."""
+        """Return where there is a spring or a hand, too, which may drive one end faster than loads can follow."""
         return is_driven(study.mechanism)
 
     def is_lost(self, study: Study) -> bool:
-        """Where one of them goes slack."""
+        """Return where one of them goes slack."""
         return not self.holds(study, inf)
 
     def clause(self, words: Words) -> str:
-        """As in: all strings stay taut."""
+        """Return the clause, such as *all strings stay taut*."""
         del words
         return "all strings stay taut"

@@ -1,4 +1,4 @@
-"""The shapes of prompts, one file each: in which order scene, question, assumptions and numbers stand.
+"""The shapes of prompts: in which order scene, question, assumptions and numbers stand.
 
 Each shape can be undone: its `drafts` put a prompt back into the usual order, from which it is read.
 """
@@ -43,7 +43,7 @@ class PromptShape(ABC):
 
     @abstractmethod
     def drafts(self, text: str) -> Iterator[Draft]:
-        """All that a prompt of this shape, without its last line, may say; none for a prompt of another one."""
+        """Return all that a prompt of this shape, without its last line, may say; none for a prompt of another one."""
 
 
 def check_share(name: str, member: object) -> None:
@@ -64,5 +64,5 @@ def shape(cls: type[S]) -> type[S]:
 
 
 def shapes_to_try() -> list[PromptShape]:
-    """All shapes in the order in which a prompt is read: first those that words of their own tell."""
+    """Return all shapes in the order in which a prompt is read: first those that words of their own tell."""
     return sorted(SHAPES.values(), key=lambda member: not member.marked)

@@ -33,7 +33,7 @@ class AssumptionsInBracket(PromptShape):
         return text_of([*facts, question, f"({text_of(held)})"]) if held and facts else None
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """The bracket goes back to before the question."""
+        """Yield drafts in which the bracketed sentences stand before the question again."""
         before, opens, inside = text.removesuffix(".)").rpartition(" (")
         if not (opens and text.endswith(".)")):
             return
@@ -54,7 +54,7 @@ class AssumptionsLast(PromptShape):
         return text_of([*facts, question, *closings]) if closings and facts else None
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """The closings go back to before the question."""
+        """Yield drafts in which the closing sentences stand before the question again."""
         asked, closings = without_assumptions(units(text))
         for story, question in splits(asked) if closings else ():
             yield Draft(text_of([*story, *closings]), question)
@@ -116,7 +116,7 @@ class Labelled(PromptShape):
         return f"{scene}{description.text}\n\n{asked}{question}"
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """What stands under either heading."""
+        """Yield what stands under either heading."""
         for scene, asked in LABELS:
             story, heading, question = text.rpartition(f"\n\n{asked}")
             if heading and story.startswith(scene):
@@ -158,6 +158,6 @@ class SceneFirst(PromptShape):
         return text_of([*description.sentences, question])
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """The last sentence or two are the question."""
+        """Yield drafts whose question is the last sentence, or the last two."""
         for story, question in splits(units(text)):
             yield Draft(text_of(story), question)

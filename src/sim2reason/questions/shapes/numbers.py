@@ -49,7 +49,7 @@ class NumbersListed(PromptShape):
         return f"{story} {question} {listed}" if after else f"{story} {listed} {question}"
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """The list is found before the question, which may have two sentences, or after it."""
+        """Yield drafts without the list of numbers, which stands before the question or after it."""
         said = units(text)
         for place in range(len(said) - 1, len(said) - 2 - QUESTION, -1):
             given = _listed(said[place]) if place > 0 else {}
@@ -88,7 +88,7 @@ def _symbols_for(voice: Voice) -> Voice:
 
 
 def _listed(sentence: str) -> dict[str, str]:
-    """The numbers of a list by symbol; none for any other sentence."""
+    """Return the numbers of a list by symbol; none for any other sentence."""
     match = _LIST.fullmatch(sentence)
     return {item[1]: item[2] for item in _ITEM.finditer(match[1])} if match else {}
 
@@ -108,7 +108,7 @@ class TableLast(PromptShape):
         return text_of([*told, question, *tables]) if len(tables) == 1 else None
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """The table goes back to any place in the story: reading shows which is right."""
+        """Yield drafts with the table at every place of the story; the reader finds the right one."""
         *told, last = units(text)
         if is_table(last):
             for story, question in splits(told):

@@ -48,7 +48,7 @@ class ReleaseInQuestion(PromptShape):
         return text_of([*rest, clause.replace("{taut}", RESTS[rests[0]]) + lowered(question)])
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """The clause goes back to where the closings begin."""
+        """Yield drafts in which the clause about the start stands before the closing sentences again."""
         for story, question in splits(units(text)):
             clause = _CLAUSE.match(question)
             if clause is None:
@@ -78,7 +78,7 @@ class SupposedStart(PromptShape):
         return text_of([*facts[:-1], *closings, FRONT + lowered(facts[-1]), question])
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """What is supposed goes back to before the closings."""
+        """Yield drafts in which the supposed start stands before the closing sentences again."""
         for story, question in splits(units(text)):
             if story and story[-1].startswith(FRONT):
                 facts, closings = without_assumptions(story[:-1])

@@ -1,4 +1,4 @@
-"""What a reader may wrongly leave out of a motion, or take to be simpler than it is; one file each.
+"""Misconceptions: what a solver may wrongly leave out of a motion, or take to be simpler than it is.
 
 A question whose answer such a slip hardly changes pays for it; one whose answer it changes has a wrong answer to offer,
 with its reason.
@@ -39,14 +39,14 @@ class Simplification(ABC):
 
     @abstractmethod
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """What it can be about where a query asks about a motion: names of the mechanism's parts.
+        """Return what it can be about where a query asks about a motion: names of the mechanism's parts.
 
         An empty name stands for the whole.
         """
 
     @abstractmethod
     def simplified(self, study: Study, subject: str, until: float) -> Study | None:
-        """The scene as the slip has it, with its motion until a time, s; None if there is none."""
+        """Return the scene as the slip has it, with its motion until a time, s; None if there is none."""
 
 
 class ChangedMechanism(Simplification):
@@ -54,10 +54,10 @@ class ChangedMechanism(Simplification):
 
     @abstractmethod
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """The mechanism as the slip has it."""
+        """Return the mechanism as the slip has it."""
 
     def simplified(self, study: Study, subject: str, until: float) -> Study | None:
-        """The motion of that mechanism."""
+        """Return the motion of that mechanism."""
         return study.changed((self.name, subject), lambda mechanism: self.changed(mechanism, subject), until)
 
 
@@ -66,10 +66,10 @@ class OtherReading(Simplification):
 
     @abstractmethod
     def read(self, study: Study) -> Study | None:
-        """The motion as the slip has it, for as long as it is recorded; None if there is none."""
+        """Return the motion as the slip has it, for as long as it is recorded; None if there is none."""
 
     def simplified(self, study: Study, subject: str, until: float) -> Study | None:
-        """That motion."""
+        """Return that motion."""
         del subject, until
         return study.once(("reading", self.name), lambda: self.read(study))
 

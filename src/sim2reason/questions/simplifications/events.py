@@ -46,12 +46,12 @@ class LaterRoot(OtherReading):
     sound_if_same = True  # then what is asked hangs on the place alone, and who takes energies never asks for the time
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where a passage is asked about, which can come twice."""
+        """Return the whole, where a passage is asked about, which can come twice."""
         del study
         return [""] if _is_passage(query.moment) else []
 
     def read(self, study: Study) -> Study:
-        """The same motion, in which passages are what they are the second time."""
+        """Return the same motion, in which passages are what they are the second time."""
         return _Later(study.scene, study.trace)
 
 
@@ -63,7 +63,7 @@ class _Later(Study):
     """A motion in which whatever is passed for the first time counts when it is passed again."""
 
     def time(self, moment: Timed) -> float | None:
-        """When a passage comes for the second time, from either side; of all else the first time."""
+        """Return when a passage comes for the second time, from either side; of all else the first time."""
         first = super().time(moment)
         if first is None or not (isinstance(moment, Passage) and _is_passage(moment)):
             return first
@@ -83,12 +83,12 @@ class NoCollisions(ChangedMechanism):
     reason = "collisions are left out"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where anything can collide."""
+        """Return the whole, where anything can collide."""
         del query
         return [""] if study.mechanism.meetings else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Without them."""
+        """Return the mechanism without them."""
         del subject
         return replace(mechanism, meetings=())
 
@@ -101,7 +101,7 @@ class NoEvents(OtherReading):
     reason = "the motion is taken to go on as it begins"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where forces are constant and something happens before the moment."""
+        """Return the whole, where forces are constant and something happens before the moment."""
         end = asked_until(query, study)
         changes = any(event.time > 0.0 for event in happened(study.trace.events, end))
         return [""] if changes and not changing(study.mechanism) else []

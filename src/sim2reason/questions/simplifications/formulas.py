@@ -31,7 +31,7 @@ class HalfForgotten(OtherReading):
     sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where all accelerations are constant."""
+        """Return the whole, where all accelerations are constant."""
         return [""] if is_steady(query, study) else []
 
     def read(self, study: Study) -> Study:
@@ -51,12 +51,12 @@ class LengthAsExtension(ChangedMechanism):
     reason = "the length of a spring is taken for its extension"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where a spring acts both ways."""
+        """Return the whole, where a spring acts both ways."""
         del query
         return [""] if _springs(study.mechanism) else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """With springs of no natural length."""
+        """Return the mechanism with springs of no natural length."""
         del subject
         return with_lines(mechanism, _springs(mechanism), _short)
 
@@ -80,7 +80,7 @@ class MeanVelocity(OtherReading):
     sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where all accelerations are constant."""
+        """Return the whole, where all accelerations are constant."""
         return [""] if is_steady(query, study) else []
 
     def read(self, study: Study) -> Study:
@@ -102,7 +102,7 @@ class SineForCosine(Simplification):
     sound_if_same = True  # then both enter alike, as in the range of a throw
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The addresses of all acute angles that the text states."""
+        """Return the addresses of all acute angles that the text states."""
         del query
         return [
             parameter.path
@@ -114,7 +114,7 @@ class SineForCosine(Simplification):
         ]
 
     def simplified(self, study: Study, subject: str, until: float) -> Study | None:
-        """The scene with the complement of that angle; None if it can't be built so."""
+        """Return the scene with the complement of that angle; None if it can't be built so."""
         return study.with_values({subject: 90.0 - float(study.scene.value(subject))}, until)
 
 
@@ -131,13 +131,13 @@ class SmallAngle(OtherReading):
     sound_if_same = True  # then it is small
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where weight drives a motion whose equations change."""
+        """Return the whole, where weight drives a motion whose equations change."""
         del query
         mechanism = study.mechanism
         return [""] if weighs(mechanism) and changing(mechanism) else []
 
     def read(self, study: Study) -> Study | None:
-        """The motion in normal modes; None where there are none, or where it is harmonic anyway."""
+        """Return the motion in normal modes; None where there are none, or where it is harmonic anyway."""
         rest = equilibrium(study.mechanism)
         if rest is None or rest.linear:
             return None
@@ -181,7 +181,7 @@ class UniformAngularSpeed(OtherReading):
     sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where planets go round a star and return."""
+        """Return the whole, where planets go round a star and return."""
         del query
         found = orbits(study.mechanism)
         return [""] if found and all(orbit.period is not None for orbit in found) else []
@@ -216,12 +216,12 @@ class WeightAsTension(ChangedMechanism):
     sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Whatever hangs."""
+        """Return whatever hangs."""
         del query
         return hanging(study.mechanism)
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """With that tension in what holds it, shared by as many pieces as run up from it."""
+        """Return the mechanism with that tension in what holds it, shared by as many pieces as run up from it."""
         held = hanging(mechanism)[subject]
         law = ConstantTension(held.mass * -mechanism.gravity[2] / held.runs)
         return with_lines(mechanism, held.strings, lambda line: replace(line, law=law))

@@ -28,7 +28,7 @@ class FaceFriction(ChangedMechanism):
         return found if len(found) > 1 else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """With that face smooth."""
+        """Return the mechanism with that face smooth."""
         faces = (replace(face, friction=0.0) if face.subject == subject else face for face in mechanism.faces)
         return replace(mechanism, faces=tuple(faces))
 
@@ -42,12 +42,12 @@ class NoFriction(ChangedMechanism):
     reason = "friction is left out"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where a face is rough."""
+        """Return the whole, where a face is rough."""
         del query
         return [""] if any(face.friction for face in study.mechanism.faces) else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """With all coefficients zero."""
+        """Return the mechanism with all coefficients zero."""
         del subject
         return replace(mechanism, faces=tuple(replace(face, friction=0.0) for face in mechanism.faces))
 
@@ -60,7 +60,7 @@ class NoSlip(ChangedMechanism):
     reason = "{subject} is taken to roll without slipping"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """What can roll, with a finite coefficient of friction."""
+        """Return what can roll, with a finite coefficient of friction."""
         del query
         faces = study.mechanism.faces
         return [
@@ -68,7 +68,7 @@ class NoSlip(ChangedMechanism):
         ]
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """With friction without bounds."""
+        """Return the mechanism with friction without bounds."""
         faces = (replace(face, friction=inf) if face.subject == subject else face for face in mechanism.faces)
         return replace(mechanism, faces=tuple(faces))
 
@@ -86,7 +86,7 @@ class WeightAsNormalForce(ChangedMechanism):
     common = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where a slope is rough."""
+        """Return the whole, where a slope is rough."""
         del query
         mechanism = study.mechanism
         return [""] if weighs(mechanism) and _sloped(mechanism) else []
@@ -103,7 +103,7 @@ class WeightAsNormalForce(ChangedMechanism):
 
 
 def _sloped(mechanism: Mechanism) -> dict[str, float]:
-    """The cosine of the slope by what lies on one that is rough."""
+    """Return the cosine of the slope by what lies on one that is rough."""
     sloped = [face for face in rough(mechanism) if not face.turning]
     if not sloped:
         return {}

@@ -21,13 +21,13 @@ class CenterOfMass(ChangedMechanism):
     reason = "the centre of mass of {subject} is taken to be at its geometric centre"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Whatever turns and has its centre of mass elsewhere."""
+        """Return whatever turns and has its centre of mass elsewhere."""
         del query
         mechanism = study.mechanism
         return [name for name in solid(mechanism) if any(mechanism.body[name].center)]
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """With its centre of mass there."""
+        """Return the mechanism with its centre of mass there."""
         return with_bodies(mechanism, [subject], lambda body: replace(body, center=ZERO))
 
 
@@ -83,13 +83,13 @@ class OwnInertia(ChangedMechanism):
     reason = "the moment of inertia of {subject} about its own centre of mass is left out"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Each of several; a single one is covered by taking all bodies as points."""
+        """Return each of several; a single one is covered by taking all bodies as points."""
         del query
         found = solid(study.mechanism)
         return found if len(found) > 1 else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Without that inertia."""
+        """Return the mechanism without that inertia."""
         return with_bodies(mechanism, [subject], inertialess)
 
 
@@ -124,7 +124,7 @@ class ParallelAxisForgotten(ChangedMechanism):
 
 
 def _off_axis(mechanism: Mechanism) -> dict[str, Vector]:
-    """The arms from such axes to centres of mass, at right angles to the axes, m; by body."""
+    """Return the arms from such axes to centres of mass, at right angles to the axes, m; by body."""
     arms = ((name, _arm(mechanism, name)) for name in solid(mechanism))
     return {name: arm for name, arm in arms if arm is not None and inner(arm, arm) > ON_AXIS**2}
 
@@ -150,12 +150,12 @@ class PointMass(ChangedMechanism):
     common = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where anything with inertia about its centre of mass can turn."""
+        """Return the whole, where anything with inertia about its centre of mass can turn."""
         del query
         return [""] if solid(study.mechanism) else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Without that inertia."""
+        """Return the mechanism without that inertia."""
         del subject
         return with_bodies(mechanism, solid(mechanism), inertialess)
 

@@ -24,13 +24,13 @@ class BodyHeld(ChangedMechanism):
     misleads = False
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """All that can move but for wheels."""
+        """Return all that can move but for wheels."""
         del query
         movable = {coordinate.body for coordinate in study.mechanism.coordinates}
         return [name for name in massive(study.mechanism) if name in movable]
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """With it held on what carries it."""
+        """Return the mechanism with it held on what carries it."""
         return held(mechanism, subject)
 
 
@@ -44,7 +44,7 @@ class BodyLeftOut(ChangedMechanism):
     misleads = False
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """All of several with mass but what would tremble without it: on springs, across strings, as a pivot."""
+        """Return all of several with mass but what would tremble without it: on springs, across strings, as a pivot."""
         del query
         mechanism = study.mechanism
         elastic = [line for line in mechanism.lines if isinstance(line.law, Elastic)]
@@ -57,7 +57,7 @@ class BodyLeftOut(ChangedMechanism):
         return [name for name in others(mechanism) if name not in sprung | held | pivots]
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """All but without it."""
+        """Return all but without it."""
         return left_out(mechanism, subject)
 
 
@@ -71,12 +71,12 @@ class FixedCarrier(ChangedMechanism):
     common = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Whatever carries something and can move."""
+        """Return whatever carries something and can move."""
         del query
         return carriers(study.mechanism)
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """With it held."""
+        """Return the mechanism with it held."""
         return held(mechanism, subject)
 
 
@@ -89,12 +89,12 @@ class ForceLeftOut(ChangedMechanism):
     part = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """All of them."""
+        """Return all of them."""
         del query
         return [force.name for force in study.mechanism.forces]
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Without it."""
+        """Return the mechanism without it."""
         return replace(mechanism, forces=tuple(force for force in mechanism.forces if force.name != subject))
 
 
@@ -107,13 +107,13 @@ class FromRest(ChangedMechanism):
     reason = "the velocity at the start is left out"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where anything moves at the start; but nobody has planets fall into their star."""
+        """Return the whole, where anything moves at the start; but nobody has planets fall into their star."""
         del query
         moving = any(coordinate.speed for coordinate in study.mechanism.coordinates)
         return [""] if moving and not study.mechanism.attractions else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """With all at rest."""
+        """Return the mechanism with all at rest."""
         del subject
         return with_bodies(mechanism, mechanism.body, _still)
 
@@ -130,12 +130,12 @@ class GravityLeftOut(ChangedMechanism):
     reason = "weight is left out"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where anything weighs."""
+        """Return the whole, where anything weighs."""
         del query
         return [""] if weighs(study.mechanism) else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """With next to no gravity, so that there still is an up and a down."""
+        """Return the mechanism with next to no gravity, so that there still is an up and a down."""
         del subject
         return replace(mechanism, gravity=scale(NEARLY_NOTHING, mechanism.gravity))
 
@@ -149,12 +149,12 @@ class HandLeftOut(ChangedMechanism):
     part = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The lines that are drawn in."""
+        """Return the lines that are drawn in."""
         del query
         return [line.name for line in study.mechanism.pulls]
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """With a force of zero."""
+        """Return the mechanism with a force of zero."""
         return with_lines(mechanism, [subject], lambda line: replace(line, law=ConstantTension(0.0)))
 
 
@@ -166,12 +166,12 @@ class NoDamping(ChangedMechanism):
     reason = "damping is left out"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where anything is damped."""
+        """Return the whole, where anything is damped."""
         del query
         return [""] if _damped(study.mechanism) else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """With springs alone."""
+        """Return the mechanism with springs alone."""
         del subject
         return with_lines(mechanism, _damped(mechanism), _undamped)
 
@@ -194,10 +194,10 @@ class SpringLeftOut(ChangedMechanism):
     part = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """All springs."""
+        """Return all springs."""
         del query
         return [line.name for line in study.mechanism.lines if isinstance(line.law, Elastic)]
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """With a spring that pulls at nothing."""
+        """Return the mechanism with a spring that pulls at nothing."""
         return with_lines(mechanism, [subject], lambda line: replace(line, law=Elastic(0.0, 0.0)))

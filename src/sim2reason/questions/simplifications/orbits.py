@@ -35,7 +35,7 @@ class CentripetalAcceleration(OtherReading):
     sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where planets go round a star, and something is asked that hangs on it."""
+        """Return the whole, where planets go round a star, and something is asked that hangs on it."""
         return [""] if asked_name(query) in ACCELERATIONS and orbits(study.mechanism) else []
 
     def read(self, study: Study) -> Study:
@@ -57,7 +57,7 @@ class CircularOrbit(OtherReading):
     sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where planets go round a star."""
+        """Return the whole, where planets go round a star."""
         del query
         return [""] if orbits(study.mechanism) else []
 
@@ -85,7 +85,7 @@ class CircularOrbitSpeed(OtherReading):
     sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where planets go round a star, and something is asked that hangs on it."""
+        """Return the whole, where planets go round a star, and something is asked that hangs on it."""
         return [""] if asked_name(query) in SPEEDS and orbits(study.mechanism) else []
 
     def read(self, study: Study) -> Study:
@@ -107,7 +107,7 @@ class ConstantOrbitalSpeed(OtherReading):
     sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where planets go round a star, and something is asked that hangs on it."""
+        """Return the whole, where planets go round a star, and something is asked that hangs on it."""
         return [""] if asked_name(query) in SPEEDS and orbits(study.mechanism) else []
 
     def read(self, study: Study) -> Study:
@@ -128,14 +128,14 @@ class NoMutualAttraction(ChangedMechanism):
     reason = "the attraction between the moving bodies is left out"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where a fixed body attracts them as well."""
+        """Return the whole, where a fixed body attracts them as well."""
         del query
         mechanism = study.mechanism
         mutual = [_is_mutual(mechanism, pull) for pull in mechanism.attractions]
         return [""] if any(mutual) and not all(mutual) else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Without it."""
+        """Return the mechanism without it."""
         del subject
         kept = tuple(pull for pull in mechanism.attractions if not _is_mutual(mechanism, pull))
         return replace(mechanism, attractions=kept)

@@ -23,12 +23,12 @@ class FixedMovablePulley(ChangedMechanism):
     sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """All movable pulleys."""
+        """Return all movable pulleys."""
         del query
         return movable_pulleys(study.mechanism)
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """With it held."""
+        """Return the mechanism with it held."""
         return held(mechanism, subject)
 
 
@@ -41,12 +41,12 @@ class MasslessPulley(ChangedMechanism):
     common = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """All pulleys at once."""
+        """Return all pulleys at once."""
         del query
         return [""] if wheels(study.mechanism) else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """With next to no mass and inertia in them."""
+        """Return the mechanism with next to no mass and inertia in them."""
         del subject
         return with_bodies(mechanism, wheels(mechanism), _light)
 
@@ -65,7 +65,7 @@ class PulleyAsStringEnd(ChangedMechanism):
     sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The strings that run from a movable pulley to a fixed place, where they end."""
+        """Return the strings that run from a movable pulley to a fixed place, where they end."""
         del query
         return dict.fromkeys(line.whole for line in study.mechanism.strings if _ends_beyond(study.mechanism, line))
 
@@ -76,7 +76,7 @@ class PulleyAsStringEnd(ChangedMechanism):
 
 
 def _ends_beyond(mechanism: Mechanism, line: Line) -> str | None:
-    """The movable pulley beyond which a line ends at a fixed place; None if there is none."""
+    """Return the movable pulley beyond which a line ends at a fixed place; None if there is none."""
     pulleys = movable_pulleys(mechanism)
     for end, before in (line.through[:2], line.through[:-3:-1]):
         name = carried(mechanism, mechanism.site[before].body)
@@ -86,7 +86,7 @@ def _ends_beyond(mechanism: Mechanism, line: Line) -> str | None:
 
 
 def _tied(mechanism: Mechanism, line: Line) -> Line:
-    """A part of such a string, which ends at the pulley; one that is all beyond it pulls at nothing."""
+    """Return a part of such a string, which ends at the pulley; one that is all beyond it pulls at nothing."""
     parts = (part for part in mechanism.lines if part.whole == line.whole)
     pulley = next(name for part in parts if (name := _ends_beyond(mechanism, part)))
     turned = {c.name for c in mechanism.coordinates if carried(mechanism, c.body) == pulley}
@@ -111,7 +111,7 @@ class PulleyRotationLeftOut(ChangedMechanism):
     common = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Each pulley whose mass alone matters too, and each of several.
+        """Return each pulley whose mass alone matters too, and each of several.
 
         A single one with a fixed axle is covered by taking all pulleys as light.
         """
@@ -121,12 +121,12 @@ class PulleyRotationLeftOut(ChangedMechanism):
         return [name for name in turning if len(turning) > 1 or carried(mechanism, name) is not None]
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """With next to no moment of inertia."""
+        """Return the mechanism with next to no moment of inertia."""
         return with_bodies(mechanism, [subject], without_rotation)
 
 
 def without_rotation(body: RigidBody) -> RigidBody:
-    """A body of the same mass with next to no moment of inertia, so that no equation becomes singular."""
+    """Return a body of the same mass with next to no moment of inertia, so that no equation becomes singular."""
     xx, yy, zz, xy, xz, yz = (NEARLY_NOTHING * part for part in body.inertia)
     return replace(body, inertia=(xx, yy, zz, xy, xz, yz))
 
@@ -139,14 +139,14 @@ class PulleyRotationsLeftOut(ChangedMechanism):
     reason = "the rotational inertia of all pulleys is left out"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """All of several at once, if one of them moves along; else taking them as light is the same."""
+        """Return all of several at once, if one of them moves along; else taking them as light is the same."""
         del query
         turning = wheels(study.mechanism)
         several = len(turning) > 1 and any(carried(study.mechanism, name) is not None for name in turning)
         return [""] if several else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """With next to no moments of inertia."""
+        """Return the mechanism with next to no moments of inertia."""
         del subject
         return with_bodies(mechanism, wheels(mechanism), without_rotation)
 
@@ -160,7 +160,7 @@ class StringsLeftOut(ChangedMechanism):
     sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where there are strings."""
+        """Return the whole, where there are strings."""
         del query
         return [""] if study.mechanism.strings else []
 
@@ -182,20 +182,20 @@ class TautStrings(ChangedMechanism):
     reason = "a string that goes slack is taken as taut"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where one is slack before the moment."""
+        """Return the whole, where one is slack before the moment."""
         state = study.trace.state
         before = state.times <= asked_until(query, study)
         slack = any((state.tension[line.name][before] <= 0.0).any() for line in _plain(study.mechanism))
         return [""] if slack else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """With rods in their place."""
+        """Return the mechanism with rods in their place."""
         del subject
         names = [line.name for line in _plain(mechanism)]
         return with_lines(mechanism, names, lambda line: replace(line, law=Rigid()))
 
 
 def _plain(mechanism: Mechanism) -> list[Line]:
-    """The strings that are taut from the start and not drawn in."""
+    """Return the strings that are taut from the start and not drawn in."""
     law = Inextensible()
     return [line for line in mechanism.strings if line.law == law]

@@ -53,7 +53,7 @@ class FuelAsRest(BurningSlip):
     reason = "the mass of {subject} without fuel is taken for the mass of its fuel"
 
     def burnt(self, mechanism: Mechanism, burn: Burn) -> Burn:
-        """Return a burn that ejects the empty mass instead of the fuel."""
+        """Return the burn of a rocket that takes its mass without fuel for the mass of its fuel."""
         left = mechanism.body[burn.body].mass - burn.rate * burn.until
         return replace(burn, until=left / burn.rate)
 
@@ -85,19 +85,19 @@ class UniformGravity(ChangedMechanism):
     reason = "gravity is taken to be everywhere what it is at the start"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where one body burns and another attracts it."""
+        """Return the whole, where one body burns and another attracts it."""
         del query
         return [""] if len(study.mechanism.attractions) == 1 and study.mechanism.burns else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """With uniform gravity instead."""
+        """Return the mechanism with uniform gravity instead."""
         del subject
         (pull,) = mechanism.attractions
         return replace(mechanism, attractions=(), gravity=_free_fall(mechanism, pull))
 
 
 def _free_fall(mechanism: Mechanism, pull: Attraction) -> Vector:
-    """The acceleration, m/s², that the attraction gives at the start to the one of both that burns."""
+    """Return the acceleration, m/s², that the attraction gives at the start to the one of both that burns."""
     falling = mechanism.burns[0].body
     other = pull.b if falling == pull.a else pull.a
     frames = start(mechanism)

@@ -43,29 +43,29 @@ def leads_below_floor(scene: Scene, joint: Joint) -> bool:
 
 
 def _leaves_at_foot(scene: Scene, end: Stop) -> bool:
-    """Whether a string goes down to a corner of its own entity, and leaves that on the level."""
+    """Return whether a string goes down to a corner of its own entity, and leaves that on the level."""
     return _climb(scene, end) < -LEVEL and abs(_steepness(scene, end)) < LEVEL
 
 
 def _leaves_upwards(scene: Scene, end: Stop) -> bool:
-    """Whether a string goes up a slope, be it to a corner of its entity, or away from that."""
+    """Return whether a string goes up a slope, be it to a corner of its entity, or away from that."""
     return _climb(scene, end) > LEVEL or LEVEL < _steepness(scene, end) < 1.0 - LEVEL
 
 
 def _climb(scene: Scene, end: Stop) -> float:
-    """How much higher a string leaves an entity than it is tied to it, m."""
+    """Return how much higher a string leaves an entity than it is tied to it, m."""
     alone = _alone(scene, end)
     return alone.position(end.sites[-1])[2] - alone.position(end.sites[0])[2]
 
 
 def _steepness(scene: Scene, end: Stop) -> float:
-    """The sine of the angle at which a string leaves an entity; zero where it may leave in any direction."""
+    """Return the sine of the angle at which a string leaves an entity; zero where it may leave in any direction."""
     face = _alone(scene, end).faces.get(end.sites[-1])
     return face[2] if face is not None else 0.0
 
 
 def _alone(scene: Scene, end: Stop) -> Builder:
-    """The entity to which an end of a string belongs, built by itself."""
+    """Return the entity to which an end of a string belongs, built by itself."""
     return next(named.alone for named in scene.entities if named.name == end.owner.partition(".")[0])
 
 
@@ -182,17 +182,17 @@ class Grower:
         return names[int(self.rng.choice(len(names), p=shares / shares.sum()))]
 
     def _pick(self) -> str:
-        """A type of entity; of a group that the scene still lacks, once there is no room for another."""
+        """Return a type of entity; of a group that the scene still lacks, once there is no room for another."""
         missing = self._missing()
         return self._one_of(missing[0] if len(missing) >= self.left and missing else self.tier.pool)
 
     def _missing(self) -> list[Mapping[str, float]]:
-        """The groups of which the scene has no entity."""
+        """Return the groups of which the scene has no entity."""
         kinds = {type(named.entity).__name__ for named in self.entities}
         return [group for group in self.tier.groups if not kinds & group.keys()]
 
     def _add(self, kind: str) -> Named:
-        """A drawn entity of a type, under a name of its own."""
+        """Return a drawn entity of a type, under a name of its own."""
         named = self._named(kind)
         self._enter(named)
         return named
@@ -243,7 +243,7 @@ class Grower:
             self._join_all(stop.owner)
 
     def _between(self, kind: type[Connection], here: OpenPort) -> list[OpenPort]:
-        """What a connection passes on its way: now and then a new entity that must be passed."""
+        """Return what a connection passes on its way: now and then a new entity that must be passed."""
         passed = {name: weight for name, weight in self.tier.pool.items() if is_passed(name, kind)}
         if not (passed and self.left > 0 and not is_down(here.direction) and self._chance(UNDER)):
             return []
@@ -279,7 +279,7 @@ class Grower:
 
 
 def grow(tier: Tier, rng: np.random.Generator) -> Scene:
-    """A random scene of a tier, drawn again while it does not hold together or takes too many words to tell.
+    """Return a random scene of a tier, drawn again while it does not hold together or takes too many words to tell.
 
     Raises:
         SceneError: nothing that was drawn holds together and is short enough.
@@ -297,7 +297,7 @@ def grow(tier: Tier, rng: np.random.Generator) -> Scene:
 
 
 def _is_short(scene: Scene, words: int) -> bool:
-    """Whether the whole text and every sentence about a string keep within their bounds."""
+    """Return whether the whole text and every sentence about a string keep within their bounds."""
     drafted, dry = draft(scene)
     if _total(drafted) > words:
         return False  # most do not, and show it at once

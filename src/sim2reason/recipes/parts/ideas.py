@@ -20,7 +20,7 @@ V = TypeVar("V", bound=Model)
 
 
 def idle(value: V, response: Callable[[V], Sequence[float]], least: float = LEAST) -> Iterator[str]:
-    """The addresses of the numbers that move none of the responses of an entity by `least`, relative."""
+    """Yield the addresses of the numbers that move none of the responses of an entity by `least`, relative."""
     before = response(value)
     for number in parameters(value):
         if (
@@ -36,7 +36,7 @@ def idle(value: V, response: Callable[[V], Sequence[float]], least: float = LEAS
 
 
 def _moved(value: V, number: Parameter) -> Iterator[V]:
-    """The same with a number halved and doubled, as far as it is valid then."""
+    """Yield the same with a number halved and doubled, as far as it is valid then."""
     assert number.value is not None
     turned = number.measure.unit == "deg"
     for new in (number.value + turn for turn in TURNS) if turned else (number.value * factor for factor in FACTORS):
@@ -60,7 +60,7 @@ class Idea:
 
 
 def one_of(ideas: Sequence[Idea], rng: np.random.Generator, name: str) -> Scene:
-    """A scene of one entity, called `name` in its file, drawn by one of the ideas.
+    """Return a scene of one entity, called `name` in its file, drawn by one of the ideas.
 
     Raises:
         SceneError: the draw does not hold together, or nothing that was drawn suits the idea.

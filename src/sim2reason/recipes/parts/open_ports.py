@@ -23,12 +23,12 @@ class OpenPort:
 
     @property
     def direction(self) -> Vector | None:
-        """Which way a connection must leave it; None for any."""
+        """Return which way a connection must leave it; None for any."""
         stop = stops_of(self.owner.entity, self.port.name, self.owner.name)[-1]
         return self.owner.alone.faces.get(stop.sites[-1]) if stop.sites else None
 
     def meets(self, other: "OpenPort", kind: type[Connection]) -> bool:
-        """Whether a connection can run to another port: what must leave straight down meets what hangs there.
+        """Return whether a connection can run to another port: what must leave straight down meets what hangs there.
 
         A string can turn over a pulley on its way; nothing else can.
         """
@@ -38,12 +38,12 @@ class OpenPort:
 
 
 def takes(kind: type[Connection], port: Port) -> bool:
-    """Whether a connection can begin, go on or end at a port."""
+    """Return whether a connection can begin, go on or end at a port."""
     return isinstance(port, kind.joins) and any(kind.admits(port, index, 2) for index in range(3))
 
 
 def _joins(kind: type[Connection], here: Port, end: Port) -> bool:
-    """Whether a connection that is at one port can end at another."""
+    """Return whether a connection that is at one port can end at another."""
     if isinstance(end, Pass):
         return False
     forward = isinstance(here, Pass) or kind.admits(here, 0, 1)
@@ -62,18 +62,18 @@ def open_ports(named: Named) -> list[OpenPort]:
 
 
 def ends_for(named: Named, kind: type[Connection], here: OpenPort) -> list[OpenPort]:
-    """The ports of an entity to which a connection can run from another."""
+    """Return the ports of an entity to which a connection can run from another."""
     return [end for end in open_ports(named) if _joins(kind, here.port, end.port) and end.meets(here, kind)]
 
 
 def is_passed(name: str, kind: type[Connection]) -> bool:
-    """Whether an entity must be passed by a connection, and so is never the end of another."""
+    """Return whether an entity must be passed by a connection, and so is never the end of another."""
     ports = outer_ports(ENTITIES[name]).values()
     return any(isinstance(port, Pass) and port.required and isinstance(port, kind.joins) for port in ports)
 
 
 def stands_still(named: Named) -> bool:
-    """Whether nothing of it moves or pulls."""
+    """Return whether nothing of it moves or pulls."""
     return not named.alone.drawing and not named.alone.finish().bodies
 
 
@@ -84,5 +84,5 @@ def is_downhill(port: OpenPort) -> bool:
 
 
 def is_down(direction: Vector | None) -> bool:
-    """Whether a connection can only leave straight down."""
+    """Return whether a connection can only leave straight down."""
     return direction is not None and direction[2] < -1.0 + 1e-9

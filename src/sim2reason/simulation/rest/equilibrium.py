@@ -47,7 +47,7 @@ class Balance:
         return slack and pushed and apart and within and self._strained() and self._ahead()
 
     def _strained(self) -> bool:
-        """Whether springs that act only one way act here as they did at the start."""
+        """Return whether springs that act only one way act here as they did at the start."""
         for (line, law), strained in zip(self.system.mechanism.half_springs, self.system.phase.strained, strict=True):
             strain = law.side * float(self.assembly.length(line).value - law.length)
             if (strain > LITTLE) != strained or abs(strain) <= LITTLE:
@@ -63,7 +63,7 @@ class Balance:
         return True
 
     def state(self) -> State:
-        """One instant of it; forces that others could bear are NaN, and all normal forces with them."""
+        """Return one instant of it; forces that others could bear are NaN, and all normal forces with them."""
         mechanism, kinds, still = self.system.mechanism, self.loads.kinds, np.zeros((1, self.loads.size))
         known = self.forces.copy()
         open_ = shared(self.loads.at(self.places).along[self.active])
@@ -104,12 +104,12 @@ class Rest:
 
     @property
     def mechanism(self) -> Mechanism:
-        """What is at rest."""
+        """Return what is at rest."""
         return self.state.mechanism
 
     @cached_property
     def linear(self) -> bool:
-        """Whether loads change in proportion to the coordinates, as far as nothing passes through anything."""
+        """Return whether loads change in proportion to the coordinates, as far as nothing passes through anything."""
         return _Descent(RestingLoads(self.mechanism), self.coordinates).linear()
 
     @property
@@ -120,7 +120,7 @@ class Rest:
 
 @lru_cache(maxsize=KEPT)
 def equilibrium(mechanism: Mechanism) -> Rest | None:
-    """The stable equilibrium next to where a mechanism starts; None if there is none, or none that can be named.
+    """Return the stable equilibrium next to where a mechanism starts; None if there is none, or none that can be named.
 
     None has what friction holds over a range of places, what a force drives that changes in time, what burns, is
     reeled in or stands on feet, and what has no force that changes with its place.
@@ -135,7 +135,7 @@ def equilibrium(mechanism: Mechanism) -> Rest | None:
 
 @lru_cache(maxsize=KEPT)
 def lone_equilibrium(mechanism: Mechanism) -> Rest | None:
-    """The same, but None if some way down from elsewhere ends in another stable equilibrium."""
+    """Return the same, but None if some way down from elsewhere ends in another stable equilibrium."""
     rest = equilibrium(mechanism)
     if rest is None or rest.linear:
         return rest
@@ -145,7 +145,7 @@ def lone_equilibrium(mechanism: Mechanism) -> Rest | None:
 
 
 def neighbour(rest: Rest, shift: Vector) -> Vector:
-    """The coordinates (n,) of a place near an equilibrium that the rows allow, `shift` (n,) from it."""
+    """Return the coordinates (n,) of a place near an equilibrium that the rows allow, `shift` (n,) from it."""
     loads, places = RestingLoads(rest.mechanism), rest.coordinates + shift
     for _ in range(3):
         places = places + loads.tightening(loads.at(places), list(rest.active))
@@ -153,14 +153,14 @@ def neighbour(rest: Rest, shift: Vector) -> Vector:
 
 
 def steady(mechanism: Mechanism) -> bool:
-    """Whether nothing that acts changes in time by itself: no field, no engine, no winch."""
+    """Return whether nothing that acts changes in time by itself: no field, no engine, no winch."""
     fields = all(force.law.profile.steady for force in mechanism.forces if isinstance(force.law, Push | Magnetic))
     strings = (line.law for line in mechanism.lines if isinstance(line.law, Inextensible))
     return fields and not mechanism.burns and not any(law.reel for law in strings)
 
 
 def _restores(mechanism: Mechanism) -> bool:
-    """Whether rest can be one place, and stays it."""
+    """Return whether rest can be one place, and stays it."""
     rubs = any(0.0 < face.friction < math.inf for face in mechanism.faces)
     bounded = any(force.region is not None for force in mechanism.forces)
     other = rubs or bounded or mechanism.attractions or mechanism.feet
@@ -168,7 +168,7 @@ def _restores(mechanism: Mechanism) -> bool:
 
 
 def _same(one: Rest, other: Rest, loads: RestingLoads) -> bool:
-    """Whether two places of rest are one, or differ by whole turns, or by what nothing drives back."""
+    """Return whether two places of rest are one, or differ by whole turns, or by what nothing drives back."""
     apart = one.coordinates - other.coordinates
     apart = np.where(loads.hinges, np.remainder(apart + math.pi, 2.0 * math.pi) - math.pi, apart)
     rolled = [number for grip in loads.slips for number, _ in grip.slip.terms if not loads.hinges[number]]
@@ -201,7 +201,7 @@ class _Descent:
         self.scale = loads.largest(np.zeros(self.size) if places is None else places)
 
     def rest(self) -> Rest | None:
-        """Where it ends that begins at the start; strings that would have to push are let go on the way."""
+        """Return where it ends that begins at the start; strings that would have to push are let go on the way."""
         places, both = np.zeros(self.size), self.loads.both
         spare = self.loads.at(places).spare
         active = [number for number, always in enumerate(both) if always or spare[number] <= LITTLE]
@@ -217,7 +217,7 @@ class _Descent:
         return None
 
     def end(self, point: Vector, active: tuple[int, ...]) -> Rest | None:
-        """Where it ends that begins at a point, while the same rows act; None if it ends nowhere."""
+        """Return where it ends that begins at a point, while the same rows act; None if it ends nowhere."""
         try:
             found = self._settled(point, list(active))
             return None if found is None else self._checked(found[0], list(active), found[1])
@@ -230,12 +230,12 @@ class _Descent:
         yield from points * np.where(self.loads.hinges, math.pi, self.longest)
 
     def linear(self) -> bool:
-        """Whether loads change in proportion to the coordinates, as far as nothing passes through anything."""
+        """Return whether loads change in proportion to the coordinates, as far as nothing passes through anything."""
         near = np.where(self.loads.hinges, NEAR, NEAR * self.shortest)
         return self.loads.linear(_spread(self.size)[:2] * near, self.scale)
 
     def _settled(self, places: Vector, active: list[int]) -> tuple[Vector, Vector] | None:
-        """The coordinates and the forces of all rows; None if it is driven on and on."""
+        """Return the coordinates and the forces of all rows; None if it is driven on and on."""
         driven = 0
         most = LONGEST * np.where(self.loads.hinges, 1.0, self.longest)
         for _ in range(STEPS):
@@ -263,7 +263,7 @@ class _Descent:
         return None
 
     def _balanced(self, loads: Loads, down: Vector, active: list[int]) -> bool:
-        """Whether no force is left along the motions that the rows allow, and all rows are kept."""
+        """Return whether no force is left along the motions that the rows allow, and all rows are kept."""
         lacking = float(np.abs(loads.spare[active]).max(initial=0.0))
         return max(float(np.abs(down).max(initial=0.0)) / self.scale, lacking) <= EXACT
 
@@ -272,7 +272,7 @@ class _Descent:
         return self._balanced(loads, ways(loads.along[active], self.size).T @ loads.force, active)
 
     def _checked(self, places: Vector, active: list[int], forces: Vector) -> Rest | None:
-        """The equilibrium, if everything holds that must, and nothing drives away from it."""
+        """Return the equilibrium, if everything holds that must, and nothing drives away from it."""
         free = ways(self.loads.at(places).along[active], self.size)
         stiffness = symmetric(free.T @ self.loads.stiffness(places, forces, active) @ free)
         sizes = np.linalg.eigvalsh(stiffness)

@@ -60,7 +60,7 @@ class RestingLoads:
         return tape.code([*assembly.force, *(row.value for row in rows), *entries])(math)
 
     def at(self, places: Vector) -> Loads:
-        """The loads at coordinates (n,), m or rad; ZeroDivisionError where two sites coincide."""
+        """Return the loads at coordinates (n,), m or rad; ZeroDivisionError where two sites coincide."""
         found: Vector = np.array(self._code(0.0, places.tolist()), dtype=np.float64)
         n, last = self.size, self.size + len(self.kinds)
         spare, along = found[n:last], found[last:].reshape(len(self.kinds), n)
@@ -70,11 +70,11 @@ class RestingLoads:
         return Loads(found[:n], spare, along)
 
     def assembly(self, places: Vector) -> Assembly:
-        """All that the exact engine knows of the mechanism at rest there."""
+        """Return all that the exact engine knows of the mechanism at rest there."""
         return Assembly(self.mechanism, self.system.phase, (places.tolist(), [0.0] * self.size, 0.0), math)
 
     def largest(self, places: Vector) -> float:
-        """The scale of forces: the largest load, or that of a small strain of the stiffest spring, N or N m."""
+        """Return the scale of forces: the largest load, or that of a small strain of the stiffest spring, N or N m."""
         springs = (
             SLIGHT * line.law.stiffness * (self.system.starts[line.name] or 1.0)
             for line in self.mechanism.lines
@@ -101,14 +101,14 @@ class RestingLoads:
         return found
 
     def tightening(self, loads: Loads, active: list[int]) -> Vector:
-        """The shortest step, (n,), after which no row that acts lacks anything."""
+        """Return the shortest step, (n,), after which no row that acts lacks anything."""
         found: Vector = np.zeros(self.size)
         if active:
             found = found + np.linalg.lstsq(loads.along[active], loads.spare[active], rcond=1e-9)[0]
         return found
 
     def linear(self, points: Vector, scale: float) -> bool:
-        """Whether loads change in proportion to the coordinates, from zero to each of the points (k, n)."""
+        """Return whether loads change in proportion to the coordinates, from zero to each of the points (k, n)."""
         first = self.at(np.zeros(self.size))
         for point in points:
             half, whole = self.at(0.5 * point), self.at(point)
@@ -127,7 +127,7 @@ def ways(rows: Vector, size: int) -> Vector:
 
 
 def shared(rows: Vector) -> NDArray[np.bool_]:
-    """Whether the force of each row is open, since others could bear it, (rows,)."""
+    """Return whether the force of each row is open, since others could bear it, (rows,)."""
     if not rows.size:
         return np.zeros(len(rows), dtype=np.bool_)
     sides, sizes, _ = np.linalg.svd(rows, full_matrices=True)
@@ -136,5 +136,5 @@ def shared(rows: Vector) -> NDArray[np.bool_]:
 
 
 def symmetric(matrix: Vector) -> Vector:
-    """The symmetric part."""
+    """Return the symmetric part."""
     return 0.5 * (matrix + matrix.T)

@@ -54,14 +54,14 @@ def oscillations(rest: Rest) -> Oscillations | None:
 
 
 def inertia(rest: Rest) -> Vector:
-    """The mass matrix of all coordinates in an equilibrium, (n, n)."""
+    """Return the mass matrix of all coordinates in an equilibrium, (n, n)."""
     mechanism, places = rest.mechanism, rest.coordinates.tolist()
     assembly = Assembly(mechanism, System(mechanism).phase, (places, [0.0] * len(places), 0.0), math)
     return np.array(assembly.full_mass(), dtype=np.float64)
 
 
 def _following(stiffness: Vector, heavy: NDArray[np.bool_]) -> Vector | None:
-    """How what has no mass follows what has; None if nothing holds it."""
+    """Return how what has no mass follows what has; None if nothing holds it."""
     light = stiffness[np.ix_(~heavy, ~heavy)]
     if len(light) and float(np.linalg.eigvalsh(light).min()) <= STILL * float(np.abs(stiffness).max()):
         return None
@@ -70,7 +70,7 @@ def _following(stiffness: Vector, heavy: NDArray[np.bool_]) -> Vector | None:
 
 
 def _conserves(mechanism: Mechanism) -> bool:
-    """Whether no force depends on velocities, as those of dashpots, drag and magnets do."""
+    """Return whether no force depends on velocities, as those of dashpots, drag and magnets do."""
     dashpots = any(isinstance(line.law, Elastic) and line.law.damping for line in mechanism.lines)
     return not dashpots and all(isinstance(force.law, Push) or force.law.constant for force in mechanism.forces)
 
@@ -144,7 +144,7 @@ def unrest(rest: Rest) -> str:
 
 
 def _load(state: State) -> float:
-    """The largest force at rest, N, or the largest weight."""
+    """Return the largest force at rest, N, or the largest weight."""
     mechanism = state.mechanism
     weight = max(body.mass for body in mechanism.bodies) * float(np.linalg.norm(mechanism.gravity))
     forces = [*state.tension.values(), *state.normal.values()]
@@ -152,7 +152,7 @@ def _load(state: State) -> float:
 
 
 def disagreement(rest: Rest, modes: Oscillations, number: int) -> str:
-    """Why the witness does not swing in a mode as it is told, from a small displacement; empty if it does."""
+    """Return why the witness does not swing in a mode as it is told, from a small displacement; empty if it does."""
     mechanism, frequency, shape = rest.mechanism, float(modes.frequencies[number]), modes.shapes[:, number]
     system = System(mechanism)
     shortest = min([run.value for run in system.runs.values()], default=1.0)

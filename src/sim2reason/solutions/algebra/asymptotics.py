@@ -23,7 +23,7 @@ class CancelledError(Exception):
 
 
 def limit(held: Expression, name: str, at: Mapping[str, float], *, large: bool) -> Expression | None:
-    """The limit of a formula as a symbol becomes large or small; None if it is zero or infinite.
+    """Return the limit of a formula as a symbol becomes large or small; None if it is zero or infinite.
 
     `at` are values of the other symbols, by which it is seen what cancels.
 
@@ -36,7 +36,7 @@ def limit(held: Expression, name: str, at: Mapping[str, float], *, large: bool) 
 
 
 def _leading(held: Expression, name: str, at: Mapping[str, float], sense: float) -> tuple[Expression, float]:
-    """The factor before the leading power of a symbol, and that power."""
+    """Return the factor before the leading power of a symbol, and that power."""
     if name not in held.symbols():
         return held, 0.0
     match held:

@@ -68,12 +68,12 @@ class Fraction:
         return Fraction(above, below)
 
     def inverted(self) -> "Fraction":
-        """One over it."""
+        """Return one over it."""
         return Fraction(_times(Polynomial.of(1.0), self.below), () if self.above.number == 1.0 else (self.above,))
 
 
 def fraction(held: Expression) -> Fraction:
-    """A formula as one fraction; OverflowError if it is long."""
+    """Return a formula as one fraction; OverflowError if it is long."""
     match held:
         case Number():
             return Fraction(Polynomial.of(held.x))
@@ -93,7 +93,7 @@ def fraction(held: Expression) -> Fraction:
 
 
 def _without(held: tuple[Polynomial, ...], others: tuple[Polynomial, ...]) -> tuple[Polynomial, ...]:
-    """Some polynomials less others, each as often as it is there."""
+    """Return some polynomials less others, each as often as it is there."""
     left = list(held)
     for other in others:
         if other in left:
@@ -149,7 +149,7 @@ def without_radicals(zero: Polynomial, name: str) -> Polynomial:
 
 
 def coefficient(held: Polynomial, atom: Expression, power: int) -> Polynomial:
-    """What stands before a power of an atom."""
+    """Return what stands before a power of an atom."""
     found = {
         tuple(pair for pair in monomial if pair[0] != atom): part
         for monomial, part in held.terms.items()
@@ -196,7 +196,7 @@ def _quadratic(rest: Polynomial, linear: Polynomial, square: Polynomial, written
 
 
 def _over(above: Polynomial, below: Polynomial, written: Written) -> Expression:
-    """A fraction without what both of its sides share."""
+    """Return a fraction without what both of its sides share."""
     return over(above, below) if written is Polynomial.factored else ratio(written(above), written(below))
 
 
@@ -271,7 +271,7 @@ def raised(atom: Expression, power: int) -> Expression:
 
 
 def atoms_worked(held: Expression, name: str) -> Expression:
-    """A formula in which numbers that hold the symbol are written as the formulas that they are."""
+    """Return a formula in which numbers that hold the symbol are written as the formulas that they are."""
     if isinstance(held, Worked):
         return atoms_worked(held.inner, name) if name in held.symbols() else held
     if name not in held.symbols() or not held.parts:

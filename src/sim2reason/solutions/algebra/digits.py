@@ -12,12 +12,12 @@ EXACT = 1e-12  # relative, of a number not near zero: what rounding may have lef
 
 
 def shortened(value: float, digits: int = DIGITS) -> float:
-    """A number rounded to so many significant digits."""
+    """Return a number rounded to so many significant digits."""
     return float(f"{value:.{digits - 1}e}")
 
 
 def rounded(value: float, digits: int = DIGITS) -> str:
-    """A number with so many significant digits, in LaTeX; with a power of ten rather than further zeros."""
+    """Return a number with so many significant digits, in LaTeX; with a power of ten rather than further zeros."""
     if value == 0.0:
         return "0"
     mantissa, _, power = f"{value:.{digits - 1}e}".partition("e")
@@ -40,7 +40,7 @@ def with_guard_digits(value: float) -> str:
 
 
 def simple_fraction(x: float) -> Fraction | None:
-    """The fraction that a number is; None if it is no simple one."""
+    """Return the fraction that a number is; None if it is no simple one."""
     fraction = Fraction(x).limit_denominator(SIMPLE)
     if (x and not fraction) or abs(fraction) > LARGEST:
         return None
@@ -49,7 +49,7 @@ def simple_fraction(x: float) -> Fraction | None:
 
 @lru_cache(maxsize=4096)
 def pure_number(x: float) -> str:
-    """A pure number as formulas have it: a fraction where it is a simple one."""
+    """Return a pure number as formulas have it: a fraction where it is a simple one."""
     fraction = simple_fraction(x)
     if fraction is None:
         return rounded(x)

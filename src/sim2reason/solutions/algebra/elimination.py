@@ -85,7 +85,7 @@ class Elimination:
     def _single(
         self, equations: Sequence[Equation], left: set[str], wanted: Sequence[str]
     ) -> tuple[Equation, str] | None:
-        """An equation with one unknown, a goal if there is one; the shortest of these."""
+        """Return an equation with one unknown, a goal if there is one; the shortest of these."""
         found = [(e, names[0]) for e in equations if len(names := sorted(e.zero.names() & left)) == 1]
         return min(found, key=lambda pair: (pair[1] not in wanted, len(pair[0].zero.terms)), default=None)
 
@@ -124,7 +124,7 @@ class Elimination:
         (self._in_symbols if hidden else self._in_numbers)(combined, ordered)
 
     def _alone(self, equations: Sequence[Equation], left: set[str], goal: str) -> Equation:
-        """The plain sum of equations in which one unknown alone is left; UnsolvedError if there is none."""
+        """Return the plain sum of equations in which one unknown alone is left; UnsolvedError if there is none."""
         names = sorted(left)
         known = self.book.values | self.book.observed
         rows = [[e.zero.coefficient(name).value(known) for name in names] for e in equations]
@@ -171,7 +171,7 @@ class Elimination:
         return [] if zero.names() & (left - set(free)) else weighted
 
     def _sum(self, weighted: Sequence[tuple[Equation, Polynomial]], free: Sequence[str], *, labelled: bool) -> Equation:
-        """The sum of equations with weights."""
+        """Return the sum of equations with weights."""
         return weighted[0][0] if len(weighted) == 1 else self._combined(weighted, free, labelled=labelled)
 
     # ---- in numbers
@@ -233,7 +233,7 @@ class Elimination:
         step.close()
 
     def _without(self, equation: NumericEquation, pivot: NumericEquation, last: str) -> NumericEquation:
-        """An equation less so much of another that an unknown is gone."""
+        """Return an equation less so much of another that an unknown is gone."""
         ratio = self._number(equation.left[last] / pivot.left[last])
         names = dict.fromkeys((*equation.left, *pivot.left))
         left = {
@@ -269,7 +269,7 @@ def _times(weight: Polynomial, label: str) -> str:
 
 
 def _whole(weighted: list[tuple[Equation, Polynomial]]) -> list[tuple[Equation, Polynomial]]:
-    """The same weights, multiplied so that the smallest is 1, where all are numbers."""
+    """Return the same weights, multiplied so that the smallest is 1, where all are numbers."""
     numbers = [weight.number for _, weight in weighted]
     if not numbers or any(number is None for number in numbers):
         return weighted
@@ -284,6 +284,6 @@ def parts(zero: Polynomial, name: str) -> tuple[Polynomial, Polynomial]:
 
 
 def solved(zero: Polynomial, name: str, *, grouped: bool = False) -> Expression:
-    """The unknown, from an equation in which it is the only one."""
+    """Return the unknown, from an equation in which it is the only one."""
     before, rest = parts(zero, name)
     return over(rest, before, grouped=grouped)

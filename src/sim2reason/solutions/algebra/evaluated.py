@@ -30,7 +30,7 @@ class CompleteElliptic(SpecialFunction):
         return (self.modulus,)
 
     def built_of(self, parts: Sequence[Expression]) -> Expression:
-        """The integral of another modulus."""
+        """Return the integral of another modulus."""
         (modulus,) = parts
         return CompleteElliptic(modulus)
 
@@ -56,7 +56,7 @@ class _OfTwo(SpecialFunction):
         return self.argument, self.modulus
 
     def built_of(self, parts: Sequence[Expression]) -> Expression:
-        """The function of others."""
+        """Return the function of others."""
         argument, modulus = parts
         return type(self)(argument, modulus)
 
@@ -96,7 +96,7 @@ class Amplitude(_OfTwo):
 
 
 def _means(modulus: Scalar) -> list[tuple[complex, complex]]:
-    """The arithmetic and geometric means from 1 and √(1 − k²) on; ValueError unless 0 ≤ k < 1."""
+    """Return the arithmetic and geometric means from 1 and √(1 − k²) on; ValueError unless 0 ≤ k < 1."""
     if not 0.0 <= modulus.real < 1.0:
         raise ValueError(f"an elliptic integral of the modulus {modulus.real:g}")
     found = [(complex(1.0), cmath.sqrt(1.0 - complex(modulus) ** 2))]
@@ -109,7 +109,7 @@ def _means(modulus: Scalar) -> list[tuple[complex, complex]]:
 
 
 def _real_if(value: complex) -> Scalar:
-    """A float unless there is an imaginary part, by which derivatives are taken."""
+    """Return a float unless there is an imaginary part, by which derivatives are taken."""
     return value if value.imag else value.real
 
 
@@ -127,16 +127,16 @@ class Worked(Expression):
     guarded: bool = False
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """The formula's, rounded if that is asked for."""
+        """Return the formula's, rounded if that is asked for."""
         found = self.inner.value(at, digits)
         return found if digits is None or isinstance(found, complex) else shortened(found, digits)
 
     def latex(self) -> str:
-        """The number."""
+        """Return the number."""
         return with_guard_digits(self.comes_to) if self.guarded else rounded(self.comes_to)
 
     def symbols(self) -> Iterator[str]:
-        """Those of the formula."""
+        """Return those of the formula."""
         return self.inner.symbols()
 
     def __neg__(self) -> Expression:
@@ -158,7 +158,7 @@ class NumericRoot(Expression):
     near: float
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """The root, refined; with complex values its derivative is exact."""
+        """Return the root, refined; with complex values its derivative is exact."""
         plain = {name: value.real for name, value in at.items()}
         root = self.near
         for _ in range(NEWTON):
@@ -173,11 +173,11 @@ class NumericRoot(Expression):
         return complex(self.residual.value({**at, self.name: root + STEP * 1j})).imag / STEP
 
     def latex(self) -> str:
-        """The number."""
+        """Return the number."""
         return rounded(self.near)
 
     def symbols(self) -> Iterator[str]:
-        """Those of the formula, without the unknown."""
+        """Return those of the formula, without the unknown."""
         return (name for name in self.residual.symbols() if name != self.name)
 
 
@@ -198,7 +198,7 @@ class ImplicitRoot(NumericRoot):
     """A root that hangs on what is unknown, so that no number is written: its equation alone is told."""
 
     def latex(self) -> str:
-        """Its name."""
+        """Return its name."""
         return self.name
 
 
@@ -222,17 +222,17 @@ class Chain(Expression):
         return known[self.formulas[-1][0]]
 
     def latex(self) -> str:
-        """Its name."""
+        """Return its name."""
         return self.formulas[-1][0]
 
     def symbols(self) -> Iterator[str]:
-        """All that it rests on."""
+        """Return all that it rests on."""
         own = {name for name, _ in self.formulas}
         return (name for _, formula in self.formulas for name in formula.symbols() if name not in own)
 
 
 def numbers(held: Expression) -> Iterator[Expression]:
-    """All parts of a formula that are written as the numbers that they come to."""
+    """Yield all parts of a formula that are written as the numbers that they come to."""
     if isinstance(held, Worked | NumericRoot):
         if not isinstance(held, ImplicitRoot):
             yield held
@@ -259,7 +259,7 @@ def is_special(held: Expression) -> bool:
 
 
 def gradient(held: Expression, at: Mapping[str, float], names: Mapping[str, int]) -> list[float]:
-    """The derivatives by some symbols, each at its place; of analytic formulas exact."""
+    """Return the derivatives by some symbols, each at its place; of analytic formulas exact."""
     found = [0.0] * len(names)
     for name in dict.fromkeys(held.symbols()):
         if name in names:

@@ -25,7 +25,7 @@ class Expression:
         raise NotImplementedError
 
     def latex(self) -> str:
-        """How it is written, without dollars."""
+        """Return how it is written, without dollars."""
         raise NotImplementedError
 
     def symbols(self) -> Iterator[str]:
@@ -46,18 +46,18 @@ class Expression:
         return ()
 
     def built_of(self, parts: "Sequence[Expression]") -> "Expression":
-        """The same of other parts, in their order; by default itself."""
+        """Return the same of other parts, in their order; by default itself."""
         del parts
         return self
 
     @property
     def rank(self) -> int:
-        """How tightly it holds together when written: 0 a sum, 1 a product, 2 what needs no parentheses."""
+        """Return how tightly it holds together when written: 0 a sum, 1 a product, 2 what needs no parentheses."""
         return 2
 
     @property
     def negative(self) -> bool:
-        """Whether it is written with a minus sign in front."""
+        """Return whether it is written with a minus sign in front."""
         match self:
             case Sum(terms):  # a positive one would stand first
                 return all(term.negative for term in terms)
@@ -97,7 +97,7 @@ class Expression:
                 return Quotient(-self, -divisor) if divisor.negative else Quotient(self, divisor)
 
     def __neg__(self) -> "Expression":
-        """Its negative, term by term."""
+        """Return its negative, term by term."""
         if isinstance(self, Sum):
             return Sum(tuple(-term for term in self.terms))
         if isinstance(self, Quotient) and self.negative:
@@ -117,7 +117,7 @@ class Number(Expression):
         return self.x
 
     def latex(self) -> str:
-        """As in: 2, 2/5 or 0.30000."""
+        """Return a text such as *2, 2/5 or 0.30000*."""
         return pure_number(self.x)
 
     @property
@@ -133,20 +133,20 @@ class Symbol(Expression):
     name: str
 
     def __hash__(self) -> int:
-        """That of its name, which the string keeps: polynomials look symbols up all along."""
+        """Return that of its name, which the string keeps: polynomials look symbols up all along."""
         return hash(self.name)
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """What stands under its name."""
+        """Return what stands under its name."""
         del digits
         return at[self.name]
 
     def latex(self) -> str:
-        """Its name."""
+        """Return its name."""
         return self.name
 
     def symbols(self) -> Iterator[str]:
-        """Its own name."""
+        """Yield its own name."""
         yield self.name
 
 
@@ -162,7 +162,7 @@ class Sum(Expression):
         return self.terms
 
     def built_of(self, parts: Sequence[Expression]) -> Expression:
-        """The sum of others."""
+        """Return the sum of others."""
         return added(*parts)
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
@@ -170,7 +170,7 @@ class Sum(Expression):
         return sum((term.value(at, digits) for term in self.terms), 0.0)
 
     def latex(self) -> str:
-        """A term that is positive first, if there is one."""
+        """Return a term that is positive first, if there is one."""
         parts = sorted((term.latex() for term in self.terms), key=lambda part: part.startswith("-"))
         return parts[0] + "".join(f" - {part[1:]}" if part.startswith("-") else f" + {part}" for part in parts[1:])
 
@@ -192,7 +192,7 @@ class Product(Expression):
         return self.factors
 
     def built_of(self, parts: Sequence[Expression]) -> Expression:
-        """The product of others."""
+        """Return the product of others."""
         return multiplied(*parts)
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
@@ -229,11 +229,11 @@ class Quotient(Expression):
 
     @property
     def parts(self) -> tuple[Expression, ...]:
-        """What is divided, and by what."""
+        """Return what is divided, and by what."""
         return self.above, self.below
 
     def built_of(self, parts: Sequence[Expression]) -> Expression:
-        """The quotient of others."""
+        """Return the quotient of others."""
         above, below = parts
         return ratio(above, below)
 
@@ -256,17 +256,17 @@ ZERO, ONE, MINUS_ONE = Number(0.0), Number(1.0), Number(-1.0)
 
 
 def ratio(above: Expression, below: Expression) -> Expression:
-    """A fraction whose denominator does not begin with a minus sign."""
+    """Return a fraction whose denominator does not begin with a minus sign."""
     return -above / -below if below.negative else above / below
 
 
 def lifted(value: "Expression | float") -> Expression:
-    """A number as a formula."""
+    """Return a number as a formula."""
     return value if isinstance(value, Expression) else Number(float(value))
 
 
 def added(*parts: Expression) -> Expression:
-    """A sum without zeros."""
+    """Return a sum without zeros."""
     terms = [
         term
         for side in parts
@@ -277,7 +277,7 @@ def added(*parts: Expression) -> Expression:
 
 
 def multiplied(*parts: Expression) -> Expression:
-    """A product with one number in front, and none that changes nothing."""
+    """Return a product with one number in front, and none that changes nothing."""
     number, factors = 1.0, list[Expression]()
     for side in parts:
         for factor in side.factors if isinstance(side, Product) else (side,):

@@ -54,7 +54,7 @@ def _shared_number(factors: list[float]) -> float:
 
 
 def quotient(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial] | None:
-    """A fraction of two sums, one of which is the other times a single term, without that sum; else None."""
+    """Return a fraction of two sums, one of which is the other times a single term, without that sum; else None."""
     for whole, part in ((above, below), (below, above)):
         if not whole.terms or len(whole.terms) != len(part.terms):
             continue
@@ -71,7 +71,7 @@ def quotient(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomi
 
 
 def _cancelled(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial]:
-    """A fraction without the atoms that all terms of both share."""
+    """Return a fraction without the atoms that all terms of both share."""
     monomials = [*above.terms, *below.terms]
     if not above.terms:
         return above, below
@@ -97,7 +97,7 @@ Rows = Sequence[Sequence[Polynomial]]
 
 
 def cramer(rows: Rows, right: Sequence[Polynomial]) -> list[Expression]:
-    """The unknowns, (n,), of as many equations whose determinant is not zero."""
+    """Return the unknowns, (n,), of as many equations whose determinant is not zero."""
     below = determinant(rows)
     found: list[Expression] = []
     for n in range(len(rows)):
@@ -122,7 +122,7 @@ def determinant(rows: Rows) -> Polynomial:
 
 
 def signed_permutations(size: int) -> Iterator[tuple[float, tuple[int, ...]]]:
-    """All orders of so many numbers, each with its sign: 1 if it takes an even number of swaps, else −1."""
+    """Yield all orders of so many numbers, each with its sign: 1 if it takes an even number of swaps, else −1."""
     for order in permutations(range(size)):
         swaps = sum(a > b for n, a in enumerate(order) for b in order[n + 1 :])
         yield (-1.0 if swaps % 2 else 1.0), order
@@ -177,7 +177,7 @@ class CrossElimination:
         step.close()
 
     def _without(self, held: SymbolicEquation, pivot: SymbolicEquation, last: str) -> SymbolicEquation:
-        """Each times what stands before the unknown in the other, the difference told."""
+        """Return each times what stands before the unknown in the other, the difference told."""
         mine, other = _signed(pivot.left[last]), _signed(held.left[last])
         sign = -mine[0] * other[0]
         names = dict.fromkeys((*held.left, *pivot.left))

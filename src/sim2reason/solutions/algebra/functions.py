@@ -33,7 +33,7 @@ MATH_NAMES = {"arctan": "atan", "arccos": "acos", "arcsin": "asin"}  # where tho
 
 
 def _applied(name: str, inside: Scalar) -> Scalar:
-    """A function of a number, or of each of many."""
+    """Return a function of a number, or of each of many."""
     if isinstance(inside, np.ndarray):
         return getattr(np, name)(inside)
     return getattr(cmath if isinstance(inside, complex) else math, MATH_NAMES.get(name, name))(inside)
@@ -52,12 +52,12 @@ class Power(Expression):
         return (self.base,)
 
     def built_of(self, parts: Sequence[Expression]) -> Expression:
-        """The power of another base."""
+        """Return the power of another base."""
         (base,) = parts
         return Power(base, self.exponent)
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """The power."""
+        """Return the power."""
         return self.base.value(at, digits) ** self.exponent
 
     def latex(self) -> str:
@@ -79,11 +79,11 @@ class _OfOne(Expression):
 
     @property
     def parts(self) -> tuple[Expression, ...]:
-        """What it is a function of."""
+        """Return what it is a function of."""
         return (self.inside,)
 
     def built_of(self, parts: Sequence[Expression]) -> Expression:
-        """The same function of something else."""
+        """Return the same function of something else."""
         (inside,) = parts
         return type(self)(inside)
 
@@ -93,7 +93,7 @@ class Root(_OfOne):
     """A square root, the positive one."""
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """The root; ValueError below zero."""
+        """Return the root; ValueError below zero."""
         return _applied("sqrt", self.inside.value(at, digits))
 
     def latex(self) -> str:
@@ -114,16 +114,16 @@ class Call(Expression):
         return (self.argument,)
 
     def built_of(self, parts: Sequence[Expression]) -> Expression:
-        """The function of something else."""
+        """Return the function of something else."""
         (argument,) = parts
         return Call(self.function, argument)
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """The value of the function."""
+        """Return the value of the function."""
         return _applied("log" if self.function == "ln" else self.function, self.argument.value(at, digits))
 
     def latex(self) -> str:
-        """The sine of an angle without parentheses, where that is a symbol."""
+        """Return the sine of an angle without parentheses, where that is a symbol."""
         inside = self.argument.latex()
         if isinstance(self.argument, Symbol):
             return rf"\{self.function}{inside if inside.startswith(chr(92)) else ' ' + inside}"
@@ -151,12 +151,12 @@ class Pi(Expression):
     """The ratio of a circle's circumference to its diameter."""
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """Its value."""
+        """Return its value."""
         del at, digits
         return math.pi
 
     def latex(self) -> str:
-        """Its letter."""
+        """Return its letter."""
         return r"\pi"
 
 
@@ -184,12 +184,12 @@ def plain(held: Expression) -> Expression:
 
 
 def summed(parts: Iterable[Expression]) -> Expression:
-    """All parts added up."""
+    """Return all parts added up."""
     return reduce(added, parts, ZERO)
 
 
 def squares(parts: Iterable[Expression]) -> Expression:
-    """The sum of the squares, without those of zeros."""
+    """Return the sum of the squares, without those of zeros."""
     return summed(Power(-part if part.negative else part, 2) for part in parts if part != ZERO)
 
 
@@ -203,7 +203,7 @@ def length_of(parts: Iterable[Expression]) -> Expression:
 
 
 def values(held: Expression, at: Mapping[str, Array]) -> Array:
-    """The values of a formula for many numbers under each symbol, (m,); not a number where it has none."""
+    """Return the values of a formula for many numbers under each symbol, (m,); not a number where it has none."""
     with np.errstate(all="ignore"):
         found = held.value(cast("Values", at))
     return np.where(np.isfinite(found), found, np.nan) * np.ones_like(next(iter(at.values())))

@@ -67,12 +67,12 @@ def other_solutions(name: str, formula: Expression, value: Expression, at: Mappi
 
 
 def numeric_root(name: str, formula: Expression, value: Expression, at: Mapping[str, float]) -> NumericRoot:
-    """The same, found numerically near where it is known to be."""
+    """Return the same, found numerically near where it is known to be."""
     return NumericRoot(added(formula, -value), name, at[name])
 
 
 def put(held: Expression, name: str, formula: Expression) -> Expression:
-    """A formula with another one in place of a symbol."""
+    """Return a formula with another one in place of a symbol."""
     if name not in held.symbols():
         return held
     if isinstance(held, Symbol):
@@ -153,7 +153,7 @@ def _real(held: Expression, at: Mapping[str, float]) -> float | None:
 
 
 def _branches(name: str, formula: Expression, value: Expression, written: Written) -> Iterator[Expression]:
-    """All that a symbol may be."""
+    """Yield all that a symbol may be."""
     formula = atoms_worked(formula, name)
     if formula == Symbol(name):
         yield value

@@ -30,7 +30,7 @@ class Polynomial:
 
     @classmethod
     def of(cls, atom: Expression | float) -> Self:
-        """A single atom, or a number."""
+        """Return a single atom, or a number."""
         if isinstance(atom, Expression):
             return cls({((atom, 1),): 1.0})
         return cls({(): float(atom)} if atom else {})
@@ -63,7 +63,7 @@ class Polynomial:
         return Polynomial({monomial: factor * part for monomial, part in self.terms.items()} if factor else {})
 
     def __bool__(self) -> bool:
-        """Whether it is not zero."""
+        """Return whether it is not zero."""
         return bool(self.terms)
 
     @property
@@ -84,18 +84,18 @@ class Polynomial:
         return atom if isinstance(atom, Symbol) else None
 
     def coefficient(self, name: str) -> "Polynomial":
-        """What stands before a symbol in the terms that hold it once."""
+        """Return what stands before a symbol in the terms that hold it once."""
         atom = (Symbol(name), 1)
         return Polynomial(
             {tuple(p for p in monomial if p != atom): part for monomial, part in self.terms.items() if atom in monomial}
         )
 
     def without(self, names: Collection[str]) -> "Polynomial":
-        """The terms that hold none of some symbols."""
+        """Return the terms that hold none of some symbols."""
         return Polynomial({m: part for m, part in self.terms.items() if not _holds(m, names)})
 
     def holding(self, names: Collection[str]) -> "Polynomial":
-        """The terms that hold one of some symbols."""
+        """Return the terms that hold one of some symbols."""
         return Polynomial({m: part for m, part in self.terms.items() if _holds(m, names)})
 
     def put(self, values: Mapping[str, "Polynomial"]) -> "Polynomial":
@@ -115,7 +115,7 @@ class Polynomial:
         return total(parts)
 
     def names(self) -> set[str]:
-        """All symbols in it, those under a sine included."""
+        """Return all symbols in it, those under a sine included."""
         return {name for monomial in self.terms for atom, _ in monomial for name in atom.symbols()}
 
     def value(self, at: Values) -> float:
@@ -158,7 +158,7 @@ NIL = Polynomial({})
 
 
 def total(parts: Iterable[Polynomial]) -> Polynomial:
-    """The sum of several."""
+    """Return the sum of several."""
     first, *others = [*parts] or [NIL]
     found = dict(first.terms)
     for part in others:
@@ -168,7 +168,7 @@ def total(parts: Iterable[Polynomial]) -> Polynomial:
 
 
 def written(monomial: Monomial, part: float) -> Expression:
-    """One term as a formula."""
+    """Return one term as a formula."""
     above, below = list[Expression]([Number(part)]), list[Expression]()
     for atom, power in monomial:
         (above if power > 0 else below).append(atom if abs(power) == 1 else Power(atom, abs(power)))
@@ -252,7 +252,7 @@ def _without_nothing(terms: dict[Monomial, float]) -> dict[Monomial, float]:
 
 
 def _squared_sine(monomial: Monomial) -> Call | None:
-    """The first sine in a term that is squared."""
+    """Return the first sine in a term that is squared."""
     for atom, power in monomial:
         if power == 2 and isinstance(atom, Call) and atom.function == "sin":
             return atom
@@ -260,7 +260,7 @@ def _squared_sine(monomial: Monomial) -> Call | None:
 
 
 def divided(held: Polynomial, monomial: Monomial, part: float) -> Polynomial | None:
-    """A polynomial by a single term; None if that does not divide all of it."""
+    """Return a polynomial by a single term; None if that does not divide all of it."""
     found: dict[Monomial, float] = {}
     for term, factor in held.terms.items():
         powers = dict(term)

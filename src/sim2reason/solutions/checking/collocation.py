@@ -44,13 +44,13 @@ class Piece:
         return self.begin + 0.5 * self.length * (NODES + 1.0)
 
     def state(self, time: float) -> Array:
-        """The state at a time within the step or near it, (n,)."""
+        """Return the state at a time within the step or near it, (n,)."""
         place = 2.0 * (time - self.begin) / self.length - 1.0
         return np.asarray(chebyshev.chebval(place, COEFFICIENTS @ self.states), dtype=np.float64)
 
 
 def tail(values: Array) -> Array:
-    """How large the last coefficients of polynomials are, given by their values at the nodes, (nodes, n)."""
+    """Return how large the last coefficients of polynomials are, given by their values at the nodes, (nodes, n)."""
     return np.abs(COEFFICIENTS[-2:] @ values).sum(axis=0)
 
 

@@ -50,7 +50,7 @@ def amplitude(integral: float, modulus: float) -> Derived:
 
 
 def _quadrature(angle: float, modulus: float) -> tuple[float, float]:
-    """The integral up to an angle of at most 90°, and its derivative by the modulus."""
+    """Return the integral up to an angle of at most 90°, and its derivative by the modulus."""
     ends = [0.5 * math.pi * (1.0 - 0.5**n) for n in range(HALVINGS)]
     places = [end for end in ends if end < angle] + [angle]
     value, slope = 0.0, 0.0

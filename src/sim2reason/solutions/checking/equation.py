@@ -38,7 +38,7 @@ class Equation:
         return cls(left, right, role, frozenset(symbols(left)) | frozenset(symbols(right)))
 
     def __str__(self) -> str:
-        """Both trees on one line."""
+        """Return both trees on one line."""
         return f"{written(self.left)} = {written(self.right)}"
 
     @property
@@ -67,7 +67,7 @@ class Equation:
         return value(self.left, at) - value(self.right, at)
 
     def holds(self, at: Values) -> bool:
-        """Whether both sides agree, compared with the largest of their terms."""
+        """Return whether both sides agree, compared with the largest of their terms."""
         return abs(self.excess(at)) <= WELL * max(size(self.left, at), size(self.right, at)) + ROUNDING
 
     def slopes(self, at: Values) -> tuple[float, Mapping[str, float]]:
@@ -129,7 +129,7 @@ class LinearSystem:
             self._entries += [(row, place[name], compiled_for_many(part)) for name, part in parts.items()]
 
     def _filled(self, at: Mapping[str, float | Array], count: int) -> tuple[Array, Array]:
-        """The matrices and right sides of some instants, (count, rows, unknowns) and (count, rows, 1)."""
+        """Return the matrices and right sides of some instants, (count, rows, unknowns) and (count, rows, 1)."""
         matrix = np.zeros((count, len(self._rests), len(self.unknowns)))
         right = np.zeros((count, len(self._rests), 1))
         for row, column, evaluate in self._entries:
@@ -139,7 +139,7 @@ class LinearSystem:
         return matrix, right
 
     def solve(self, at: Mapping[str, float | Array], count: int) -> dict[str, Array]:
-        """The unknowns at some instants; ArithmeticError if the equations do not determine them."""
+        """Return the unknowns at some instants; ArithmeticError if the equations do not determine them."""
         matrix, right = self._filled(at, count)
         try:
             if matrix.shape[1] == 1:

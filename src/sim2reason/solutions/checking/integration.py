@@ -52,7 +52,7 @@ class Instant:
             raise TreeError(f"{', '.join(sorted(left))} has no value in the equations of motion")
 
     def _definitions(self, waiting: list[Equation], state: set[str]) -> list[tuple[str, EvaluateAll]]:
-        """The names that equations define by the state alone, in order; those equations wait no more."""
+        """Return the names that equations define by the state alone, in order; those equations wait no more."""
         found, known = list[tuple[str, EvaluateAll]](), state | self.at.keys()
         while True:
             for equation in waiting:
@@ -179,7 +179,7 @@ class _Phase:
         self._held: list[Piece] = []  # the last two pieces
 
     def _slope(self, times: Array, states: Array) -> Array:
-        """The time derivatives of states: of places, rates, sums."""
+        """Return the time derivatives of states: of places, rates, sums."""
         instant, count = self._instant, len(self._instant.places)
         instant.move(times, states)
         found = np.empty_like(states)
@@ -191,7 +191,7 @@ class _Phase:
         return found
 
     def _excess(self, times: Array, states: Array) -> Array:
-        """What the condition of the end has at some instants."""
+        """Return what the condition of the end has at some instants."""
         self._instant.move(times, states)
         if self._needs_forces:
             self._instant.accelerate()
@@ -205,11 +205,11 @@ class _Phase:
         return self._held[-1] if time >= self._held[-1].begin else self._held[0]
 
     def _state(self, time: float) -> Array:
-        """The state at a time in one of the last two pieces, (1, n)."""
+        """Return the state at a time in one of the last two pieces, (1, n)."""
         return self._piece(time).state(time)[None]
 
     def _fits(self, piece: Piece) -> bool:
-        """Whether the condition is a polynomial within a step."""
+        """Return whether the condition is a polynomial within a step."""
         values = self._excess(piece.times, piece.states)
         return bool(tail(values[:, None])[0] <= SMOOTH * np.abs(values).max() + TINY)
 
@@ -250,11 +250,11 @@ class _Phase:
                 yield Sample(time, excess)
 
     def _largest_term(self) -> float:
-        """That of the condition, at the instant that was looked at last."""
+        """Return that of the condition, at the instant that was looked at last."""
         return max(abs(float(np.ravel(term(self._instant.at))[0])) for term in self._terms)
 
     def _found(self, time: float) -> dict[str, float]:
-        """The values at the end, by the names that they get."""
+        """Return the values at the end, by the names that they get."""
         state = state_at(self._slope, self._piece(time), time, len(self._instant.places))
         self._slope(np.array([time]), state[None])
         self._instant.examine()

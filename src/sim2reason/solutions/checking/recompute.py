@@ -23,7 +23,7 @@ LAW = "law"
 def undetermined(
     equations: Sequence[Equation], known: frozenset[str], values: Mapping[str, float], needed: Sequence[str]
 ) -> Iterator[str]:
-    """What the laws among some equations do not determine, or does not follow from them, in words.
+    """Yield what the laws among some equations do not determine, or does not follow from them, in words.
 
     Args:
         equations: all relations but those that only verify something, at whose names' `values` they hold.
@@ -57,7 +57,7 @@ def _row(equation: Equation, values: Mapping[str, float], place: Mapping[str, in
 
 
 def _basis(rows: Sequence[Array], width: int) -> Array:
-    """An orthonormal basis of what rows span, one vector a row."""
+    """Return an orthonormal basis of what rows span, one vector a row."""
     if not rows or not width:
         return np.zeros((0, width))
     _, sizes, ways = np.linalg.svd(np.array(rows), full_matrices=False)
@@ -65,7 +65,7 @@ def _basis(rows: Sequence[Array], width: int) -> Array:
 
 
 def _spanned(basis: Array, row: Array) -> bool:
-    """Whether a row is a combination of those of a basis."""
+    """Return whether a row is a combination of those of a basis."""
     return bool(np.abs(row - basis.T @ (basis @ row)).max(initial=0.0) <= FAINT * np.abs(row).max(initial=0.0))
 
 
@@ -267,7 +267,7 @@ class _Reading:
         return found
 
     def _undetermined(self) -> Sequence[str]:
-        """What does not follow from the laws."""
+        """Return what does not follow from the laws."""
         stated = [equation for equation in self._equations if equation.role != "verified" and equation.near is None]
         try:
             return [*undetermined(stated, self._given | self._ends, self._relations.values, self._needed)]

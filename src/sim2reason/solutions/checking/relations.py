@@ -164,14 +164,14 @@ class Relations:
         self.assign(name, found)
 
     def _along(self, chain: Sequence[tuple[str, Tree]], name: str, number: float) -> dict[str, float]:
-        """All values, where one more name has one, and others follow."""
+        """Return all values, where one more name has one, and others follow."""
         at = self.values | {name: number}
         for other, formula in chain:
             at[other] = value(formula, at)
         return at
 
     def _chain(self, name: str) -> tuple[list[tuple[str, Tree]], list[Equation]]:
-        """The names that one determines, each with its formula, and the relations that then can be verified."""
+        """Return the names that one determines, each with its formula, and the relations that then can be verified."""
         missing = {equation: names - {name} for equation, names in self._missing.items()}
         chain, whole = list[tuple[str, Tree]](), list[Equation]()
         while True:
@@ -214,7 +214,7 @@ class Relations:
         return found
 
     def _significant(self, tree: Tree) -> float:
-        """The value of a coefficient; zero if that is all that rounding has left of its terms."""
+        """Return the value of a coefficient; zero if that is all that rounding has left of its terms."""
         number = value(tree, self.values)
         return number if abs(number) > ROUNDING * bound(tree, self.values) else 0.0
 
@@ -230,7 +230,7 @@ def _definitions(missing: Mapping[Equation, set[str]]) -> Iterator[tuple[Equatio
 
 
 def _determined(rows: list[tuple[dict[str, float], float]]) -> dict[str, float]:
-    """The values of the names that linear equations determine, of those alone."""
+    """Return the values of the names that linear equations determine, of those alone."""
     names = sorted({name for row, _ in rows for name in row})
     matrix = np.array([[row.get(name, 0.0) for name in names] for row, _ in rows])
     right = np.array([off for _, off in rows])

@@ -81,7 +81,7 @@ def _check_operation(held: list[Tree]) -> None:
 
 
 def symbols(tree: Tree) -> Iterator[str]:
-    """The free symbols of a tree, from left to right, some more than once."""
+    """Yield the free symbols of a tree, from left to right, some more than once."""
     if isinstance(tree, str):
         yield tree
     elif isinstance(tree, list):
@@ -96,7 +96,7 @@ def symbols(tree: Tree) -> Iterator[str]:
 
 
 def parts_named(tree: Tree, operation: str) -> Iterator[list[Tree]]:
-    """The parts of a tree that are of one operation, without those in the equations of roots."""
+    """Yield the parts of a tree that are of one operation, without those in the equations of roots."""
     if isinstance(tree, list):
         if tree[0] == operation:
             yield tree
@@ -161,7 +161,7 @@ def value(tree: Tree, at: Values) -> float:
 
 
 def _operated(operation: str, parts: Sequence[float]) -> float:
-    """An operation on values."""
+    """Return an operation on values."""
     match operation:
         case "pi":
             return math.pi
@@ -180,17 +180,17 @@ def _operated(operation: str, parts: Sequence[float]) -> float:
 
 
 def terms(tree: Tree) -> list[Tree]:
-    """The terms of a sum; of anything else itself."""
+    """Return the terms of a sum; of anything else itself."""
     return tree[1:] if isinstance(tree, list) and tree[0] == "+" else [tree]
 
 
 def size(tree: Tree, at: Values) -> float:
-    """The absolute value of the largest term of a tree."""
+    """Return the absolute value of the largest term of a tree."""
     return max(abs(value(term, at)) for term in terms(tree))
 
 
 def bound(tree: Tree, at: Values) -> float:
-    """The value that a tree would have if no terms cancelled; ArithmeticError or ValueError if it has none."""
+    """Return the value that a tree would have if no terms cancelled; ArithmeticError or ValueError if it has none."""
     if not isinstance(tree, list) or tree[0] in ("root", "pi"):
         return abs(value(tree, at))
     operation, *parts = tree
@@ -223,7 +223,7 @@ def derivatives(tree: Tree, at: Values) -> Derived:
 
 
 def _combination(operation: str, parts: Sequence[Derived]) -> Derived:
-    """An operation on values with their derivatives."""
+    """Return an operation on values with their derivatives."""
     match operation, parts:
         case "pi", _:
             return math.pi, {}
@@ -293,7 +293,7 @@ def has_other_root(tree: list[Tree], at: Values) -> bool:
 
 
 def written(tree: Tree) -> str:
-    """A tree on one line, for messages."""
+    """Return a tree on one line, for messages."""
     if not isinstance(tree, list):
         return tree if isinstance(tree, str) else f"{tree:.6g}"
     return f"{tree[0]}({', '.join(map(written, tree[1:]))})"

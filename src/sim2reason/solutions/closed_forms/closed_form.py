@@ -42,7 +42,7 @@ class ClosedForm:
     symbols: tuple[str, ...]
 
     def of_sizes(self, points: Sequence[Mapping[str, float]]) -> "ClosedForm":
-        """Its absolute value; a radicand that is negative at one of the points is replaced by its own.
+        """Return its absolute value; a radicand that is negative at one of the points is replaced by its own.
 
         Factors of one sign at all of them have that sign, and the others stand between bars.
         """
@@ -60,14 +60,14 @@ class ClosedForm:
         return ClosedForm(found, found.latex(), self.symbols)
 
     def value(self, at: Mapping[str, float]) -> float:
-        """Its value; ValueError or ZeroDivisionError where it has none."""
+        """Return its value; ValueError or ZeroDivisionError where it has none."""
         found = self.expression.value(at)
         assert not isinstance(found, complex)
         return found
 
 
 def closed_form(solution: Solution, own: Sequence[str] = ()) -> ClosedForm:
-    """The answer of a solution as one formula, as `put_together` and `shortened` have it."""
+    """Return the answer of a solution as one formula, as `put_together` and `shortened` have it."""
     return shortened(put_together(solution, own))
 
 
@@ -121,7 +121,7 @@ def _without_bars(held: Expression) -> Expression:
 
 
 def hopeless(whole: Expression) -> bool:
-    """Whether a formula is too long, for one of so many roots, to be looked at any more: roots don't cancel."""
+    """Return whether a formula is too long, for one of so many roots, to be looked at any more: roots don't cancel."""
     roots = len(set(_roots(whole)))
     most = next((characters for count, characters in sorted(ROOTED.items(), reverse=True) if roots >= count), inf)
     return len(whole.latex()) > most
@@ -135,7 +135,7 @@ def _roots(held: Expression) -> Iterator[str]:
 
 
 def shortened(whole: Expression) -> ClosedForm:
-    """A formula as one would write it; ClosedFormError if even that is too long."""
+    """Return a formula as one would write it; ClosedFormError if even that is too long."""
     found = _written(whole)
     if len(found.latex) > LONGEST:
         raise ClosedFormError(f"it takes {len(found.latex)} characters")
@@ -231,7 +231,7 @@ def _out_of_roots(held: Expression, at: Mapping[str, float] | None) -> Expressio
 
 
 def _squares_apart(product: Expression) -> tuple[Expression, Expression]:
-    """The product of all that is squared in a product, and what is left of it."""
+    """Return the product of all that is squared in a product, and what is left of it."""
     squared, left = ONE, ONE
     for factor in product.factors if isinstance(product, Product) else (product,):
         if isinstance(factor, Power) and factor.exponent % 2 == 0:
@@ -251,7 +251,7 @@ class Substitution:
         self._known: dict[str, Expression] = {}
 
     def named(self, name: str) -> Expression:
-        """What a name stands for."""
+        """Return what a name stands for."""
         if name in self._given:
             return Symbol(self._given[name])
         if name not in self._known:
@@ -263,7 +263,7 @@ class Substitution:
         return self._known[name]
 
     def of(self, held: Expression) -> Expression:
-        """A formula with names put in."""
+        """Return a formula with names put in."""
         match held:
             case Symbol():
                 found = self.named(held.name)
@@ -283,7 +283,7 @@ class Substitution:
 
 
 def _simple(number: Number) -> Number:
-    """A number that a formula may have: anything else hides what it comes from."""
+    """Return a number that a formula may have: anything else hides what it comes from."""
     if simple_fraction(number.x) is None:
         raise ClosedFormError(f"the number {number.x:g} in it is no simple one")
     return number

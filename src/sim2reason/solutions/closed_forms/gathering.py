@@ -47,7 +47,7 @@ class Term:
 
 
 def gathered(held: Expression, size: Callable[[Expression], int] = length) -> Expression:
-    """A formula with the same value, each of whose sums has what terms share before them, where that is shorter.
+    """Return a formula with the same value, each of whose sums has what terms share before them, where that is shorter.
 
     How long a formula is, its `size` says: by default as it is written.
     """
@@ -65,7 +65,7 @@ def gathered(held: Expression, size: Callable[[Expression], int] = length) -> Ex
 
 
 def with_factors_in_front(held: Expression) -> Expression:
-    """A formula with the same value, each of whose sums has what all its terms share before it, however long.
+    """Return a formula with the same value, each of whose sums has what all its terms share before it, however long.
 
     Where it then stands above and below a fraction, it cancels.
     """
@@ -84,7 +84,7 @@ def with_factors_in_front(held: Expression) -> Expression:
 
 
 def _in_front(terms: Sequence[Term]) -> Expression | None:
-    """What all terms share, times a sum of the rest; None if they share nothing."""
+    """Return what all terms share, times a sum of the rest; None if they share nothing."""
     shared = _shared(terms)
     numbers = [abs(term.number) for term in terms]
     if all(number.is_integer() for number in numbers):
@@ -96,7 +96,7 @@ def _in_front(terms: Sequence[Term]) -> Expression | None:
 
 
 def symbols_in(held: Expression) -> int:
-    """How many symbols a formula has, each as often as it stands there."""
+    """Return how many symbols a formula has, each as often as it stands there."""
     return sum(1 for _ in held.symbols())
 
 
@@ -115,7 +115,7 @@ def parted(held: Expression) -> Expression:
 
 
 def _apart(whole: Term) -> Iterator[Expression]:
-    """Each sum in a fraction with each of its terms over what is below."""
+    """Yield each sum in a fraction with each of its terms over what is below."""
     for held in whole.factors if whole.below else ():
         if isinstance(held, Sum):
             rest = _less(whole.factors, (held,))
@@ -145,7 +145,7 @@ def _term(held: Expression) -> Term:
 
 
 def _product(terms: Sequence[Term]) -> Expression:
-    """What all terms share, times a sum in which the rest is gathered."""
+    """Return what all terms share, times a sum in which the rest is gathered."""
     terms = _merged(terms)
     if len(terms) < 2:
         return _plain(terms)
@@ -204,7 +204,7 @@ def _square(terms: Sequence[Term]) -> Term | None:
 
 
 def _root(term: Term, over: float) -> Term | None:
-    """What a term over a number is the square of, with a positive sign; None if it is that of no simple one."""
+    """Return what a term over a number is the square of, with a positive sign; None if it is that of no simple one."""
     number = sqrt(max(term.number / over, 0.0))
     if simple_fraction(number) is None or not number:
         return None
@@ -214,12 +214,12 @@ def _root(term: Term, over: float) -> Term | None:
 
 
 def _halved(factors: Sequence[Expression]) -> tuple[Expression, ...]:
-    """Each half as often."""
+    """Return each half as often."""
     return tuple(held for held in dict.fromkeys(factors) for _ in range(factors.count(held) // 2))
 
 
 def _grouped(terms: Sequence[Term]) -> list[Term]:
-    """The terms that share the factor with most to gain, as one; and so on, while any two share one."""
+    """Return the terms that share the factor with most to gain, as one; and so on, while any two share one."""
     gains = {
         factor: (sum(factor in term.factors for term in terms) - 1) * len(factor.latex())
         for term in terms
@@ -233,7 +233,7 @@ def _grouped(terms: Sequence[Term]) -> list[Term]:
 
 
 def _shared(terms: Sequence[Term]) -> Term:
-    """The factors of all terms, and their number where it is the same, with the sign of the first."""
+    """Return the factors of all terms, and their number where it is the same, with the sign of the first."""
     first, *others = terms
     factors = reduce(lambda kept, term: _both(kept, term.factors), others, first.factors)
     below = reduce(lambda kept, term: _both(kept, term.below), others, first.below)
@@ -264,7 +264,7 @@ def _like(one: Term, other: Term) -> bool:
 
 
 def _both(one: Sequence[Expression], other: Sequence[Expression]) -> tuple[Expression, ...]:
-    """What is in both, as often as in that in which it is less often."""
+    """Return what is in both, as often as in that in which it is less often."""
     return tuple(factor for n, factor in enumerate(one) if [*one[:n]].count(factor) < [*other].count(factor))
 
 
@@ -277,7 +277,7 @@ def _less(one: Sequence[Expression], other: Sequence[Expression]) -> tuple[Expre
 
 
 def _raised(factors: Sequence[Expression]) -> Iterator[Expression]:
-    """Each once, with its power."""
+    """Yield each once, with its power."""
     for factor in dict.fromkeys(factors):
         times = factors.count(factor)
         yield Power(factor, times) if times > 1 else factor

@@ -49,7 +49,7 @@ class TooLongError(Exception):
 
 
 def shortest(held: Expression, room: float = inf) -> Expression:
-    """The shortest formula that is found for one: brought over one denominator as a whole, or part by part.
+    """Return the shortest formula that is found for one: brought over one denominator as a whole, or part by part.
 
     Parts are given up once the symbols in them alone take more than `room`, in characters.
     """
@@ -68,7 +68,7 @@ def shortest(held: Expression, room: float = inf) -> Expression:
 
 
 def length(held: Expression) -> int:
-    """The length of a formula as it is written, more where signs in it could be put better."""
+    """Return the length of a formula as it is written, more where signs in it could be put better."""
     latex = held.latex()
     return len(latex) + UGLY * (latex.count(r"\left(-") + latex.count("{-") + latex.startswith("-"))
 
@@ -107,7 +107,7 @@ class RationalFunctions:
         self._squares: dict[int, Any] = {}  # of roots, by the number of their generator
 
     def of(self, held: Expression) -> Any:
-        """A formula as an element of the field."""
+        """Return a formula as an element of the field."""
         if isinstance(held, Symbol):
             return self._symbols[held.name]
         if isinstance(held, Number):
@@ -132,7 +132,7 @@ class RationalFunctions:
         return found
 
     def _atom(self, held: Root | Call | Pi, inner: Any) -> Any:
-        """A function of something, as one more generator; so is π, a function of nothing."""
+        """Return a function of something, as one more generator; so is π, a function of nothing."""
         function = held.function if isinstance(held, Call) else held.latex() if isinstance(held, Pi) else "sqrt"
         if (function, inner) not in self._met:
             if len(self._met) == len(self._spare):  # one root, written otherwise before its sine was met and after
@@ -174,7 +174,7 @@ class RationalFunctions:
     # ---- back
 
     def written(self, found: Any) -> Iterator[Expression]:
-        """An element as a formula: multiplied out, with what all terms share in front, and factored."""
+        """Yield an element as a formula: multiplied out, with what all terms share in front, and factored."""
         above, below = found.numer, found.denom
         yield ratio(self._sum(above).expression(), self._sum(below).expression())
         top, bottom = (_signed(side) for side in (above, below))
@@ -183,7 +183,7 @@ class RationalFunctions:
             yield _times(top[0] * bottom[0], ratio(one, other))
 
     def _product(self, side: Any) -> Expression:
-        """A sum as a product of sums."""
+        """Return a sum as a product of sums."""
         factor, parts = _factored(side) if len(side) <= FACTORED else (1, [(side, 1)])
         number, factors = float(factor), list[Expression]()
         for part, power in sorted(parts, key=lambda held: len(held[0])):
@@ -201,7 +201,7 @@ class RationalFunctions:
         return Polynomial(dict(sorted(terms.items(), key=lambda term: [written_order(atom) for atom in term[0]])))
 
     def _gathered(self, side: Any) -> Expression:
-        """A sum in which one atom is collected, where that is shorter."""
+        """Return a sum in which one atom is collected, where that is shorter."""
         whole = self._sum(side)
         options = [whole.expression()]
         atoms = {atom for monomial in whole.terms for atom, power in monomial if power == 1}
@@ -216,7 +216,7 @@ class RationalFunctions:
 
 
 def _factored(side: Any) -> tuple[Any, list[tuple[Any, int]]]:
-    """A number, and the irreducible factors with their powers.
+    """Return a number, and the irreducible factors with their powers.
 
     What holds a symbol in its first power alone, p x + q, has those of the greatest common divisor of p and q, and what
     is left, which is irreducible (Gauss's lemma); that costs far less than Wang's algorithm.
@@ -241,7 +241,7 @@ def _terms(found: Any) -> int:
 
 
 def _functions(held: Expression) -> Iterator[str]:
-    """The roots and sines in a formula, as they are written."""
+    """Yield the roots and sines in a formula, as they are written."""
     if isinstance(held, Root | Call | Pi):
         yield held.latex()
     for part in held.parts:
@@ -249,13 +249,13 @@ def _functions(held: Expression) -> Iterator[str]:
 
 
 def _place(factor: Expression) -> tuple[int, str]:
-    """Where a factor stands in a product: numbers, symbols, sums, roots, sines."""
+    """Return where a factor stands in a product: numbers, symbols, sums, roots, sines."""
     base = factor.base if isinstance(factor, Power) else factor
     return (6, "") if isinstance(base, Sum) else written_order((base, 1))
 
 
 def _signed(side: Any) -> tuple[int, Any]:
-    """Its sign where all terms share it, or more are negative; and it without that."""
+    """Return its sign where all terms share it, or more are negative; and it without that."""
     negative = sum(part < 0 for part in side.values())
     return (-1, -side) if 2 * negative > len(side) else (1, side)
 

@@ -184,7 +184,7 @@ def _fraction(held: Expression) -> Expression:
 
 
 def _raised(base: Expression, exponent: int) -> Expression:
-    """A power as one would write it."""
+    """Return a power as one would write it."""
     if isinstance(base, Quotient) and base.above == ONE:
         return ratio(ONE, Power(base.below, exponent))
     if isinstance(base, Call) and base.function == "exp":
@@ -193,14 +193,14 @@ def _raised(base: Expression, exponent: int) -> Expression:
 
 
 def _times(number: Number, held: Expression) -> Expression:
-    """A multiple, within the numerator of a fraction."""
+    """Return a multiple, within the numerator of a fraction."""
     if isinstance(held, Quotient):
         return ratio(multiplied(number, held.above), held.below)
     return multiplied(number, held)
 
 
 def _outward(held: Absolute | Call, opposite: Expression) -> Expression:
-    """What has a negative argument, by that argument's opposite, where it is even or odd."""
+    """Return what has a negative argument, by that argument's opposite, where it is even or odd."""
     match held:
         case Absolute():
             return Absolute(opposite)
@@ -213,17 +213,17 @@ def _outward(held: Absolute | Call, opposite: Expression) -> Expression:
 
 
 def _opposite(held: Expression) -> Expression:
-    """What is negative without its sign."""
+    """Return what is negative without its sign."""
     return ratio(-held.above, held.below) if isinstance(held, Quotient) else -held
 
 
 def _signed(held: Expression) -> Expression:
-    """A sum of nothing but negative terms with its sign in front."""
+    """Return a sum of nothing but negative terms with its sign in front."""
     return multiplied(Number(-1.0), -held) if isinstance(held, Sum) and held.negative else held
 
 
 def _upright(above: Expression, below: Expression) -> Expression:
-    """A fraction whose denominator is none, nor the root of one."""
+    """Return a fraction whose denominator is none, nor the root of one."""
     match below:
         case Quotient(over, under):
             return ratio(multiplied(above, under), over)
@@ -234,7 +234,7 @@ def _upright(above: Expression, below: Expression) -> Expression:
 
 
 def _cancelled(factors: list[Expression]) -> Expression:
-    """A product without what stands in it once as a factor and once below a fraction."""
+    """Return a product without what stands in it once as a factor and once below a fraction."""
     for place, fraction in enumerate(factors):
         if isinstance(fraction, Quotient):
             below = list(fraction.below.factors if isinstance(fraction.below, Product) else (fraction.below,))
@@ -251,7 +251,7 @@ def _cancelled(factors: list[Expression]) -> Expression:
 
 
 def _squared(base: Expression, exponent: int) -> Expression:
-    """An even power: of each factor where one is a root, which it takes away; a number's is a number."""
+    """Return an even power: of each factor where one is a root, which it takes away; a number's is a number."""
     if isinstance(base, Number):
         return Number(base.x**exponent)
     if isinstance(base, Power):

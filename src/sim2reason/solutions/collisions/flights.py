@@ -63,7 +63,7 @@ class FreeFlights(ABC):
         return [Impact(n, e.time, e.subjects, self._meeting(e.subjects, e.time)) for n, e in enumerate(events)]
 
     def _meeting(self, bodies: tuple[str, ...], time: float) -> int:
-        """The meeting that takes place: of two walls the one that is there."""
+        """Return the meeting that takes place: of two walls the one that is there."""
         found = [n for n, met in enumerate(self.mechanism.meetings) if set(met.names) == set(bodies)]
         if len(found) == 1:
             return found[0]
@@ -78,17 +78,17 @@ class FreeFlights(ABC):
         return min(found, key=gap)
 
     def coordinates(self, body: str) -> dict[int, Vector]:
-        """The coordinates of a body, each with its direction."""
+        """Return the coordinates of a body, each with its direction."""
         m = self.mechanism
         return {m.number[c.name]: c.axis for c in m.body[body].coordinates}
 
     def acceleration(self, k: int) -> Polynomial:
-        """What weight gives along a coordinate."""
+        """Return what weight gives along a coordinate."""
         lexicon = self.setting.lexicon
         return lexicon.of(lambda m: -m.gravity[2]) * lexicon.of(lambda m: -m.coordinates[k].axis[2])
 
     def mass(self, body: str) -> Polynomial:
-        """The mass of a body."""
+        """Return the mass of a body."""
         return self.setting.lexicon.of(lambda m: m.body[body].mass)
 
     def _first(self, body: str) -> Leg:
@@ -96,7 +96,7 @@ class FreeFlights(ABC):
         return Leg(None, {k: read(lambda m, k=k: m.coordinates[k].speed) for k in self.coordinates(body)})
 
     def leg(self, body: str, number: int) -> Leg:
-        """The flight of a body after so many impacts."""
+        """Return the flight of a body after so many impacts."""
         legs = self._legs.setdefault(body, [self._first(body)])
         while len(legs) <= number:
             own = [impact for impact in self.impacts if body in impact.bodies]
@@ -107,7 +107,7 @@ class FreeFlights(ABC):
         return legs[number]
 
     def count(self, body: str, impact: Impact | None) -> int:
-        """How many impacts a body has had before one; before the moment that is asked about for None."""
+        """Return how many impacts a body has had before one; before the moment that is asked about for None."""
         limit = len(self.impacts) if impact is None else impact.number
         early = self.impacts[:limit]
         if impact is None:
@@ -124,7 +124,7 @@ class FreeFlights(ABC):
 
     @abstractmethod
     def when(self, impact: Impact) -> Symbol:
-        """When an impact comes."""
+        """Return when an impact comes."""
 
     @abstractmethod
     def event(self, time: Symbol) -> str:
@@ -132,23 +132,23 @@ class FreeFlights(ABC):
 
     @abstractmethod
     def after(self, impact: Impact) -> dict[int, Polynomial]:
-        """The rates of the bodies that meet, just after it."""
+        """Return the rates of the bodies that meet, just after it."""
 
     # ---- along a flight
 
     def begins(self, leg: Leg) -> Symbol | None:
-        """When a flight begins; None at t = 0."""
+        """Return when a flight begins; None at t = 0."""
         return self.when(leg.after) if leg.after is not None else None
 
     def span(self, leg: Leg, time: Symbol) -> Symbol:
-        """How long a flight has lasted at a time."""
+        """Return how long a flight has lasted at a time."""
         begins = self.begins(leg)
         if begins is None:
             return time
         return self.passed(begins, time)
 
     def passed(self, begins: Symbol, time: Symbol) -> Symbol:
-        """How long it is from one time to another."""
+        """Return how long it is from one time to another."""
         key = (begins.name, time.name)
         if key not in self._spans:
             step, name = self.book.open(TIME), self.book.fresh("t")
@@ -159,7 +159,7 @@ class FreeFlights(ABC):
         return self._spans[key]
 
     def counted(self, begins: Symbol | None, span: Symbol) -> Symbol:
-        """The time since t = 0, of how long it is from another."""
+        """Return the time since t = 0, of how long it is from another."""
         if begins is None:
             return span
         step, until = self.book.open(TIME), self.book.fresh("t")
@@ -169,7 +169,7 @@ class FreeFlights(ABC):
         return until
 
     def velocity(self, body: str, number: int, k: int, time: Symbol | None) -> Polynomial:
-        """The rate of a coordinate at a time of a flight; at its beginning for None."""
+        """Return the rate of a coordinate at a time of a flight; at its beginning for None."""
         leg, a = self.leg(body, number), self.acceleration(k)
         if not a or time is None or (leg.after is not None and self.begins(leg) == time):
             return leg.speeds[k]
@@ -185,7 +185,7 @@ class FreeFlights(ABC):
         return self._speeds[key]
 
     def place(self, body: str, number: int, k: int, time: Symbol | None) -> Polynomial:
-        """How far a body has come along a coordinate, since t = 0, at a time of a flight."""
+        """Return how far a body has come along a coordinate, since t = 0, at a time of a flight."""
         if number == 0 and time is None:
             return NIL
         leg = self.leg(body, number)
@@ -203,7 +203,7 @@ class FreeFlights(ABC):
         return self._places[key]
 
     def _at_wall(self, body: str, k: int, time: Symbol | None) -> Polynomial | None:
-        """Where a wall stops it, if it hits one at that time: no kinematics is needed."""
+        """Return where a wall stops it, if it hits one at that time: no kinematics is needed."""
         number = next((n for n, name in self.times.items() if name == time), None)
         if number is None or self.impacts[number].bodies != (body,):
             return None
@@ -247,7 +247,7 @@ class FreeFlights(ABC):
         return str(impact.number + 1) if several else ""
 
     def _lasting(self, leg: Leg, time: Symbol) -> Expression:
-        """How long a flight has lasted at a time, as a name only where it has one."""
+        """Return how long a flight has lasted at a time, as a name only where it has one."""
         begins = self.begins(leg)
         if begins is None:
             return time
@@ -271,7 +271,7 @@ class FreeFlights(ABC):
     # ---- what they meet
 
     def ways(self, meeting: Meeting) -> dict[str, tuple[int, float]]:
-        """The coordinate of each body along the normal, and its sense."""
+        """Return the coordinate of each body along the normal, and its sense."""
         if meeting.normal is None:
             raise UnsolvedError("the bodies meet at an angle")
         found: dict[str, tuple[int, float]] = {}
@@ -285,5 +285,5 @@ class FreeFlights(ABC):
         return found
 
     def gap(self, number: int) -> Polynomial:
-        """How far apart the two of a meeting are at t = 0."""
+        """Return how far apart the two of a meeting are at t = 0."""
         return gap_at_start(self.setting.lexicon, self.frames, number)

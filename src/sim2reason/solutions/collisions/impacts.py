@@ -19,26 +19,26 @@ class Impacts(FreeFlights, ABC):
 
     @abstractmethod
     def discs_meet(self, impact: Impact) -> Symbol:
-        """When two discs touch."""
+        """Return when two discs touch."""
 
     @abstractmethod
     def discs_part(self, impact: Impact) -> dict[int, Polynomial]:
-        """The rates of two discs just after their impact."""
+        """Return the rates of two discs just after their impact."""
 
     def when(self, impact: Impact) -> Symbol:
-        """When an impact comes."""
+        """Return when an impact comes."""
         if impact.number not in self.times:
             self.times[impact.number] = self._meets(impact)
         return self.times[impact.number]
 
     def latest(self, impact: Impact) -> tuple[dict[str, int], Impact | None]:
-        """The flights that lead to an impact, by body, and after which impact the later of them begins."""
+        """Return the flights that lead to an impact, by body, and after which impact the later of them begins."""
         legs = {body: self.count(body, impact) for body in impact.bodies}
         begun = [held for b, n in legs.items() if (held := self.leg(b, n).after) is not None]
         return legs, max(begun, key=lambda held: held.number, default=None)
 
     def _meets(self, impact: Impact) -> Symbol:
-        """Both followed to the later beginning of their flights, then the gap closed."""
+        """Return both followed to the later beginning of their flights, then the gap closed."""
         meeting = self.mechanism.meetings[impact.meeting]
         if meeting.normal is None:
             return self.discs_meet(impact)
@@ -166,7 +166,7 @@ class Impacts(FreeFlights, ABC):
         step.close()
 
     def after(self, impact: Impact) -> dict[int, Polynomial]:
-        """The rates of the bodies that meet, just after it."""
+        """Return the rates of the bodies that meet, just after it."""
         if impact.number not in self.struck:
             meeting = self.mechanism.meetings[impact.meeting]
             if meeting.normal is None:
@@ -181,12 +181,12 @@ class Impacts(FreeFlights, ABC):
         return self.struck[impact.number]
 
     def just_before(self, impact: Impact, body: str, k: int) -> Polynomial:
-        """The rate of a coordinate just before an impact."""
+        """Return the rate of a coordinate just before an impact."""
         time = self.when(impact) if self.acceleration(k) else None
         return self.velocity(body, self.count(body, impact), k, time)
 
     def restitution(self, number: int) -> Polynomial:
-        """The coefficient e of a meeting."""
+        """Return the coefficient e of a meeting."""
         return self.setting.lexicon.of(lambda m: m.meetings[number].restitution)
 
     def closing(self, impact: Impact) -> Expression:

@@ -22,7 +22,7 @@ class Flights(Impacts):
     """All flights of a motion, and the impacts between them."""
 
     def discs_meet(self, impact: Impact) -> Symbol:
-        """When their centres are as far apart as the radii say."""
+        """Return when their centres are as far apart as the radii say."""
         return _meet(self, impact)
 
     def approach(self, impact: Impact) -> tuple[dict[str, Symbol], Symbol]:
@@ -43,7 +43,7 @@ class Flights(Impacts):
 
 
 def _meet(flights: Impacts, impact: Impact) -> Symbol:
-    """When the centres are as far apart as the radii say: (p t + q)² + c² = p d², p = u², q = X·u, c = X×u."""
+    """Return when the centres are as far apart as the radii say: (p t + q)² + c² = p d², p = u², q = X·u, c = X×u."""
     X, u, since, _ = _relative(flights, impact)
     if (axis := _only_axis(u)) is not None:
         return _meet_along(flights, impact, axis)
@@ -209,7 +209,7 @@ def _normal(flights: Impacts, impact: Impact) -> tuple[list[Expression], str]:
 
 
 def _part(flights: Flights, impact: Impact) -> dict[int, Polynomial]:
-    """The velocities just after: each changes along the line of centres alone."""
+    """Return the velocities just after: each changes along the line of centres alone."""
     book, (n, approach) = flights.book, flights.approach(impact)
     one, other = impact.bodies
     m, k = (flights.mass(body).expression() for body in impact.bodies)

@@ -21,7 +21,7 @@ class FieldEnergy:
         self.known, self.moment, self.fields, self.book = known, moment, moment.fields, known.book
 
     def potential(self) -> Expression:
-        """The work of the electric force along its axis; UnsolvedError where that has none of its own."""
+        """Return the work of the electric force along its axis; UnsolvedError where that has none of its own."""
         drive, mass = self.fields.drive, self.fields.mass
         if drive is None:
             return ZERO
@@ -36,7 +36,7 @@ class FieldEnergy:
         return work
 
     def _gained(self) -> Expression:
-        """The change in kinetic energy."""
+        """Return the change in kinetic energy."""
         speeds = (self.known.first_speeds.get(number, NIL) for number in self.fields.coordinates)
         first = total(speed * speed for speed in speeds).expression()
         square = self._square()
@@ -50,7 +50,7 @@ class FieldEnergy:
         return last.inside if isinstance(last, Root) else squared(last)
 
     def work(self) -> Symbol:
-        """What the electric field does."""
+        """Return what the electric field does."""
         if self.fields.damping is None:
             formula = self._gained()
             said = "The magnetic force does no work, so the work of the electric force is the gain in kinetic energy,"
@@ -60,7 +60,7 @@ class FieldEnergy:
         return self.book.told("work", said, self.book.fresh("W"), formula, JOULES)
 
     def lost(self) -> Symbol:
-        """What the medium takes: the work of the electric force, less what is gained in kinetic energy."""
+        """Return what the medium takes: the work of the electric force, less what is gained in kinetic energy."""
         work: Expression = self.potential()
         if work != ZERO:
             said = "The work of the electric force is"

@@ -33,7 +33,7 @@ class Drive:
     phase: Expression = ZERO
 
     def at(self, time: Expression, moved: Callable[[int], Expression]) -> Expression:
-        """Its value at a time, and at a place if that matters."""
+        """Return its value at a time, and at a place if that matters."""
         if self.frequency is not None and (time != ZERO or self.phase != ZERO):
             return self.strength * Call("cos", self.angle(time))
         if self.slope is not None:
@@ -83,7 +83,7 @@ class Fields:
         return self.setting.lexicon.of(number)
 
     def _of(self, kind: type) -> int | None:
-        """The number of the force of a kind."""
+        """Return the number of the force of a kind."""
         return next((n for n in self.forces if isinstance(self.setting.mechanism.forces[n].law, kind)), None)
 
     # ---- what acts
@@ -188,7 +188,7 @@ class Fields:
         return self._of(Push) is not None
 
     def _where(self, profile: Profile) -> str:
-        """When or where the electric field has the strength that the text says; empty if it has it always."""
+        """Return when or where the electric field has the strength that the text says; empty if it has it always."""
         if profile.uniform:
             return ""
         given = self.setting.given(f"{self.body.rpartition('.')[0]}.electric.strength")
@@ -200,7 +200,7 @@ class Fields:
         return f"{strength}{where}; {there} " if strength else f"{where}, "
 
     def _part(self, number: int, field: str, axis: int) -> Expression:
-        """A number of the profile of a push, signed along an axis."""
+        """Return a number of the profile of a push, signed along an axis."""
 
         def signed(m: Mechanism) -> float:
             law = m.forces[number].law
@@ -273,6 +273,6 @@ def _profile(force: Force) -> Profile:
 
 
 def _magnetic(force: Force) -> float:
-    """The product of charge and field, positive along z."""
+    """Return the product of charge and field, positive along z."""
     assert isinstance(force.law, Magnetic)
     return force.law.profile.value * force.law.direction[2]

@@ -47,7 +47,7 @@ class KeplerOrbit:
         self._heavy = lexicon.read(Both(masses[0], masses[1])).expression()
 
     def named(self, base: str, mark: str = "") -> Symbol:
-        """A name that says whose it is, if that needs to be said."""
+        """Return a name that says whose it is, if that needs to be said."""
         return self.book.fresh(base, ",".join(part for part in (mark, self._mark) if part))
 
     # ---- the ellipse
@@ -142,7 +142,7 @@ class KeplerOrbit:
         return self.book.told("eccentricity", "The eccentricity is", self.oval, formula)
 
     def apsis(self, *, far: bool) -> Symbol:
-        """The greatest or the least distance."""
+        """Return the greatest or the least distance."""
         e, which = self.eccentricity, "greatest" if far else "least"
         formula = self.axis * (ONE + e if far else ONE - e)
         return self.book.told("apsis", f"The {which} distance is", self.named("r"), formula, METRES)
@@ -171,7 +171,7 @@ class KeplerOrbit:
         return name
 
     def time(self, grown: Expression) -> Symbol:
-        """When it has grown so far."""
+        """Return when it has grown so far."""
         if grown == TWO * PI:
             return self.period
         if grown == PI:
@@ -240,7 +240,7 @@ class KeplerOrbit:
         return name
 
     def farthest(self) -> Symbol:
-        """The greatest distance from where it began, at which its velocity is square to the way there."""
+        """Return the greatest distance from where it began, at which its velocity is square to the way there."""
         name, angle = self.named("d"), self.named(r"\eta")
         if self.dot == ZERO:
             said = "It starts at an end of the major axis, and the other end is farthest away:"
@@ -271,7 +271,7 @@ class KeplerOrbit:
         return f"{said} ${more.latex()}$."
 
     def _away(self, angle: Expression) -> Expression:
-        """The square of the displacement, when the anomaly has grown by an angle."""
+        """Return the square of the displacement, when the anomaly has grown by an angle."""
         less, more = self.weights(angle)
         return squares([less * place + more * rate for place, rate in zip(self.place, self.rate, strict=True)])
 
@@ -286,7 +286,7 @@ class KeplerOrbit:
 
 
 def _rising(residual: Callable[[float], float]) -> float:
-    """The first root of what begins below zero, of an angle."""
+    """Return the first root of what begins below zero, of an angle."""
     step, low = 0.01, 0.0
     while residual(low + step) < 0.0:
         low += step

@@ -78,7 +78,7 @@ class Slowed(FieldMotion):
     """A magnetic field that turns the velocity, in a medium that resists by the square of the speed."""
 
     def rate(self, axis: int, time: Expression) -> Expression:
-        """The velocity at the start, turned, and divided by 1 + γ t."""
+        """Return the velocity at the start, turned, and divided by 1 + γ t."""
         found, turning = self.launch[axis], self.fields.turning
         if turning is not None:
             across = self.launch[1 - axis] * TURNS[axis]
@@ -86,7 +86,7 @@ class Slowed(FieldMotion):
         return found / (ONE + self.fields.drag * time)
 
     def moved(self, axis: int, time: Expression) -> Expression:
-        """No closed form."""
+        """Return no closed form."""
         del axis, time
         raise UnsolvedError("the way in such a medium has no closed form")
 
@@ -204,12 +204,12 @@ class Turning(FieldMotion):
         return found
 
     def _left(self, time: Expression) -> Expression:
-        """The factor by which a medium has reduced what rotates."""
+        """Return the factor by which a medium has reduced what rotates."""
         assert self.fields.damping is not None
         return Call("exp", -(self.fields.damping * time))
 
     def _kept(self, axis: int, time: Expression | None) -> Expression:
-        """The velocity that the fields keep up; at the start without a time."""
+        """Return the velocity that the fields keep up; at the start without a time."""
         return ZERO if self.drive is None else self._kept_as(self.drive, self._drift[axis], axis, time)
 
     def _kept_as(self, drive: Drive, drift: Expression, axis: int, time: Expression | None) -> Expression:
@@ -262,7 +262,7 @@ class Turning(FieldMotion):
         return self.course(axis, time)
 
     def course(self, axis: int, time: Expression) -> Expression:
-        """The same, by components at the start."""
+        """Return the same, by components at the start."""
         here, other = self.turned[axis], self.turned[1 - axis] * TURNS[axis]
         phase = self.turning * time
         turned = here * Call("cos", phase) + other * Call("sin", phase)
@@ -271,7 +271,7 @@ class Turning(FieldMotion):
         return self._kept(axis, time) + turned
 
     def moved(self, axis: int, time: Expression) -> Expression:
-        """The integral of that."""
+        """Return the integral of that."""
         here, other = self.turned[axis], self.turned[1 - axis] * TURNS[axis]
         turns, damping, phase = self.turning, self.fields.damping, self.turning * time
         sine, cosine = Call("sin", phase), Call("cos", phase)

@@ -37,7 +37,7 @@ class FieldMoment:
 
     @cached_property
     def time(self) -> Symbol:
-        """When the moment is."""
+        """Return when the moment is."""
         moment, name = self.setting.query.moment, self.fields.instant
         if isinstance(moment, AtTime):
             self.book.say_given(name.name, moment.after, SECONDS)
@@ -68,7 +68,7 @@ class FieldMoment:
         return FieldTurn(self.setting.query.moment or AtTime(0.0), self.fields, self.motion)
 
     def _stopped(self, name: Symbol) -> Symbol:
-        """When a body on a line has no velocity."""
+        """Return when a body on a line has no velocity."""
         drive, rates = self.fields.drive, [self.motion.rate(axis, name) for axis in (0, 1)]
         kept, turns = [rate for rate in rates if rate != ZERO], self.fields.turning
         if turns is not None and self._uniform and self._from_rest:
@@ -171,7 +171,7 @@ class FieldMoment:
         return not changing and self.fields.damping is None
 
     def extreme(self, query: StretchQuery) -> Symbol:
-        """Where the rate of change of its square vanishes."""
+        """Return where the rate of change of its square vanishes."""
         fields = self.fields
         if query.functional in REACHES:
             return Reach(self.motion, REACHES[query.functional], self.launched).written()
@@ -190,7 +190,7 @@ class FieldMoment:
         return self.book.told("energy", "The kinetic energy is then", self.book.fresh("K"), energy, JOULES)
 
     def _farthest(self) -> Symbol:
-        """Where the displacement is square to the velocity."""
+        """Return where the displacement is square to the velocity."""
         time = self.fields.instant
         parts = [self.motion.moved(axis, time) for axis in (0, 1)]
         rates = [self.motion.rate(axis, time) for axis in (0, 1)]
@@ -202,7 +202,7 @@ class FieldMoment:
         return self.book.told("extremum", "There the distance is", self.book.fresh("d"), Root(squares(parts)), METRES)
 
     def _fastest(self, sign: float) -> Symbol:
-        """Where the forces that do work do none: the magnetic one never does."""
+        """Return where the forces that do work do none: the magnetic one never does."""
         time, drive = self.fields.instant, self.fields.drive
         rates = [self.motion.rate(axis, time) for axis in (0, 1)]
         near = self._sampled(time, rates, sign)
@@ -273,14 +273,14 @@ class FieldMoment:
         step.close()
 
     def _sampled(self, name: Symbol, parts: list[Expression], sign: float) -> float:
-        """When the size of a vector is about greatest or least."""
+        """Return when the size of a vector is about greatest or least."""
         square = squares(parts)
         times: list[float] = np.linspace(0.0, self.setting.time, SAMPLES).tolist()
         return max(times, key=lambda t: sign * square.value({**self.book.values, name.name: t}).real)
 
 
 def motion_in(fields: Fields, launch: list[Expression]) -> FieldMotion:
-    """The motion in some fields; UnsolvedError where it has no closed form here."""
+    """Return the motion in some fields; UnsolvedError where it has no closed form here."""
     if fields.resists:
         return Slowed(fields, launch)
     drive = fields.drive  # first, so that its sentence stands first

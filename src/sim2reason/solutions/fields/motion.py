@@ -20,11 +20,11 @@ class FieldMotion(ABC):
 
     @abstractmethod
     def moved(self, axis: int, time: Expression) -> Expression:
-        """The displacement along an axis after a time."""
+        """Return the displacement along an axis after a time."""
 
     @abstractmethod
     def rate(self, axis: int, time: Expression) -> Expression:
-        """The velocity along an axis after a time."""
+        """Return the velocity along an axis after a time."""
 
     def told(self, kind: str, axis: int, time: Expression) -> str:
         """Return the beginning of a sentence that says a velocity ``v`` or a displacement ``s`` along an axis."""
@@ -37,11 +37,11 @@ class FieldMotion(ABC):
         return f"{course} gives the displacement of {who} along {AXES[axis]},"
 
     def course(self, axis: int, time: Expression) -> Expression:
-        """The velocity along an axis as it is integrated."""
+        """Return the velocity along an axis as it is integrated."""
         return self.rate(axis, time)
 
     def named(self, said: str, base: str, mark: str, formula: Expression, unit: str) -> Expression:
-        """A constant of the motion, by a name unless it is zero or a name already."""
+        """Return a constant of the motion, by a name unless it is zero or a name already."""
         if formula == ZERO or isinstance(formula, Symbol):
             return formula
         return self.book.told("motion", said, self.book.fresh(base, mark), formula, unit, rests=self.fields.law)
@@ -143,12 +143,12 @@ class Driven(FieldMotion):
         return self.named(said, along, "c", -(self.push / self.slope), METRES)
 
     def _even(self, time: Expression) -> Expression:
-        """The cosine, or the hyperbolic one."""
+        """Return the cosine, or the hyperbolic one."""
         phase = self.frequency * time
         return Call("cos", phase) if self.swings else HALF * (Call("exp", phase) + Call("exp", -phase))
 
     def _odd(self, time: Expression) -> Expression:
-        """The sine, or the hyperbolic one, over the frequency."""
+        """Return the sine, or the hyperbolic one, over the frequency."""
         phase = self.frequency * time
         if self.swings:
             return Call("sin", phase) / self.frequency

@@ -27,7 +27,7 @@ class OrbitPlace(ABC):
 
     @cached_property
     def radius(self) -> Symbol:
-        """How far it is from the centre."""
+        """Return how far it is from the centre."""
         return self._distance()
 
     @abstractmethod
@@ -44,10 +44,10 @@ class OrbitPlace(ABC):
 
     @abstractmethod
     def _rate(self, axis: int) -> Expression:
-        """Its velocity along an axis."""
+        """Return its velocity along an axis."""
 
     def component(self, kind: str, axis: int) -> Symbol:
-        """The displacement ``s``, velocity ``v`` or acceleration ``a`` along an axis, 0 or 1."""
+        """Return the displacement ``s``, velocity ``v`` or acceleration ``a`` along an axis, 0 or 1."""
         known = self._names.get((kind, axis))
         if known is None:
             known = self._names[kind, axis] = self._written(kind, axis)
@@ -67,7 +67,7 @@ class OrbitPlace(ABC):
         return orbit.book.told("component", said, orbit.named(kind, label), formula, unit, rests=rests)
 
     def _reason(self, kind: str) -> str:
-        """The label of the step from which a displacement or velocity follows; empty for none."""
+        """Return the label of the step from which a displacement or velocity follows; empty for none."""
         del kind
         return ""
 
@@ -126,7 +126,7 @@ class AtAnomaly(OrbitPlace):
         return {number: self.orbit.named("c", number) for number in "1234"}
 
     def _combined(self, numbers: str, axis: int) -> Expression:
-        """A sum of the first place and velocity; a part that is zero has no weight."""
+        """Return a sum of the first place and velocity; a part that is zero has no weight."""
         orbit, found = self.orbit, ZERO
         for number, part in zip(numbers, (orbit.place[axis], orbit.rate[axis]), strict=True):
             if part != ZERO:

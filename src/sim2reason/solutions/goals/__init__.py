@@ -34,7 +34,7 @@ class Stretch(ABC):
         raise UnsolvedError("no time in which no force changes")
 
     def force(self, kind: str, name: str) -> Polynomial:
-        """A tension, or the friction on a body that slides, if it is constant: zero where there is none."""
+        """Return a tension, or the friction on a body that slides, if it is constant: zero where there is none."""
         raise UnsolvedError(f"no {kind} of {name} that is constant")
 
     def moved(self, body: str, line: str) -> Polynomial:
@@ -68,7 +68,7 @@ class Known(Protocol):
 
     @property
     def book(self) -> Book:
-        """Where it is written."""
+        """Return where it is written."""
         ...
 
     def vector(self, kind: str, body: str) -> Components:
@@ -88,7 +88,7 @@ class Known(Protocol):
         ...
 
     def lone(self, kind: str, body: str) -> Polynomial | None:
-        """One of these along the only line on which a body moves; None if it has several."""
+        """Return one of these along the only line on which a body moves; None if it has several."""
         ...
 
     def rim(self, kind: str, body: str) -> Polynomial:
@@ -96,11 +96,11 @@ class Known(Protocol):
         ...
 
     def radius(self, body: str) -> Polynomial:
-        """The radius of that rim."""
+        """Return the radius of that rim."""
         ...
 
     def rim_inertia(self, body: str) -> Polynomial:
-        """The moment of inertia over the square of that radius."""
+        """Return the moment of inertia over the square of that radius."""
         ...
 
     def tell_arcs(self, body: str) -> None:
@@ -108,15 +108,15 @@ class Known(Protocol):
         ...
 
     def force(self, kind: str, name: str) -> Symbol:
-        """The tension ``T`` of a line, or normal force ``N`` or friction ``f`` on a body."""
+        """Return the tension ``T`` of a line, or normal force ``N`` or friction ``f`` on a body."""
         ...
 
     def mass(self, body: str) -> Polynomial:
-        """The mass of a body."""
+        """Return the mass of a body."""
         ...
 
     def spring(self, what: str, line: str) -> Polynomial:
-        """A number of a spring: its ``stiffness``, ``damping``, or at the start its ``length`` or ``strain``."""
+        """Return a number of a spring: its ``stiffness``, ``damping``, or at the start its ``length`` or ``strain``."""
         ...
 
     def growth(self, kind: str, line: str) -> Polynomial:
@@ -176,16 +176,16 @@ class Goal(ABC):
         return False
 
     def bodies(self, target: Target) -> Sequence[str]:
-        """The bodies whose motion it needs; by default its subject."""
+        """Return the bodies whose motion it needs; by default its subject."""
         return (target.subject,)
 
     def lines(self, target: Target) -> Sequence[str]:
-        """The lines whose length it needs; by default none."""
+        """Return the lines whose length it needs; by default none."""
         del target
         return ()
 
     def force(self, target: Target, setting: Setting) -> str:
-        """The force that it is, such as ``T2``; by default none."""
+        """Return the force that it is, such as ``T2``; by default none."""
         del target, setting
         return ""
 
@@ -198,7 +198,7 @@ GOALS: Registry[Goal] = Registry("solutions.goals")
 
 
 def single(parts: Components, known: Known) -> Symbol | None:
-    """The symbol of which all components are multiples, by a unit vector; None if there are several."""
+    """Return the symbol of which all components are multiples, by a unit vector; None if there are several."""
     names = {name for part in parts for name in part.names() if name in known.book.values}
     unknown = [name for name in sorted(names) if not known.setting.is_given(name) or name in known.speeds]
     if len(unknown) != 1:
@@ -288,7 +288,7 @@ class VectorName:
 
 
 def finish(known: Known, formula: Expression, noun: VectorName, mark: str, what: str) -> Symbol:
-    """The last step: a name for the answer, unless it has one."""
+    """Return the last step: a name for the answer, unless it has one."""
     if isinstance(formula, Symbol):
         return formula
     step = known.book.open("answer")

@@ -23,7 +23,7 @@ class DistanceGoal(Goal):
         return members(target.subject)
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """How far apart they were, and how far each has come since."""
+        """Return how far apart they were, and how far each has come since."""
         one, other = members(target.subject)
         apart, a, b = known.apart(one, other), known.vector("s", one), known.vector("s", other)
         parts: Components = (apart[0] + b[0] - a[0], apart[1] + b[1] - a[1], apart[2] + b[2] - a[2])

@@ -23,7 +23,7 @@ class MassTimes(Goal):
         return self.of.base
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """The vector, then m times it."""
+        """Return the vector, then m times it."""
         body, mass = target.subject, known.mass(target.subject).expression()
         mark = r"\text{net}" if self.noun.base == "F" else known.setting.mark(body)
         whose = f"{self.noun.said} {'on' if self.noun.base == 'F' else 'of'} {known.setting.called(body)}"
@@ -51,7 +51,7 @@ class KineticEnergyGoal(Goal):
         return True
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """The speed, then the energy."""
+        """Return the speed, then the energy."""
         body, rim = target.subject, known.rim("v", target.subject)
         speed = magnitude(known.vector("v", body), known, VELOCITIES, body)
         formula = multiplied(known.mass(body).scaled(0.5).expression(), squared(speed))
@@ -72,7 +72,7 @@ class PotentialEnergyGoal(Goal):
         return "s"
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """The rise, then the size of the change in energy."""
+        """Return the rise, then the size of the change in energy."""
         body = target.subject
         rise = known.component(DISPLACEMENTS.base, body, UP)
         formula = (known.mass(body) * known.gravity * rise).factored()

@@ -21,12 +21,12 @@ class ForceGoal(Goal):
         return ""
 
     def bodies(self, target: Target) -> Sequence[str]:
-        """None by themselves."""
+        """Return None by themselves."""
         del target
         return ()
 
     def force(self, target: Target, setting: Setting) -> str:
-        """Its number among lines or faces."""
+        """Return its number among lines or faces."""
         if self.kind == "T":
             names = [line.name for line in setting.mechanism.constraints]
         else:

@@ -167,7 +167,7 @@ class KineticShare(Goal):
         """Return this part of the kinetic energy of a body, in J."""
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """One formula."""
+        """Return one formula."""
         body = target.subject
         what = f"{self.why(body, known)}the {self.noun.said} of {known.setting.called(body)}"
         return finish(known, self.energy(body, known), self.noun, known.setting.mark(body), what)

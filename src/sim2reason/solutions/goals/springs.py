@@ -36,12 +36,12 @@ class SpringGoal(Goal):
         return "v" if self.noun is RATE else "s"
 
     def bodies(self, target: Target) -> Sequence[str]:
-        """None by themselves."""
+        """Return None by themselves."""
         del target
         return ()
 
     def lines(self, target: Target) -> Sequence[str]:
-        """The spring."""
+        """Return the spring."""
         return (target.subject,)
 
     def write(self, target: Target, known: Known) -> Symbol:

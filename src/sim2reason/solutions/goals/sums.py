@@ -38,7 +38,7 @@ class SumGoal(Goal):
 
     @property
     def uses(self) -> str:
-        """Where everything is when each part ends."""
+        """Return where everything is when each part ends."""
         return "s"
 
     @property
@@ -55,7 +55,7 @@ class SumGoal(Goal):
         """Return words for the sum, such as *the work of the hand*."""
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """The sum."""
+        """Return the sum."""
         whole: Expression = ZERO
         for part in known.stretches:
             whole = added(whole, self.term(target, known.setting, part))
@@ -63,7 +63,7 @@ class SumGoal(Goal):
 
 
 def _gathered(whole: Expression) -> Expression:
-    """A path there and back is 2 s, not s + s."""
+    """Return a sum with equal terms collected, such as 2 s for s + s."""
     terms = whole.terms if isinstance(whole, Sum) else (whole,)
     if not all(isinstance(term, Symbol) or isinstance(-term, Symbol) for term in terms):
         return whole
@@ -77,12 +77,12 @@ class TensionImpulse(SumGoal):
     noun = IMPULSES
 
     def bodies(self, target: Target) -> Sequence[str]:
-        """None by themselves."""
+        """Return None by themselves."""
         del target
         return ()
 
     def force(self, target: Target, setting: Setting) -> str:
-        """The tension."""
+        """Return the tension."""
         return tension(target.subject, setting)
 
     def term(self, target: Target, setting: Setting, part: Stretch) -> Expression:
@@ -105,7 +105,7 @@ class TensionWork(SumGoal):
     noun = WORK
 
     def force(self, target: Target, setting: Setting) -> str:
-        """The tension of the string that is tied to the body."""
+        """Return the tension of the string that is tied to the body."""
         return tension(_tied(target.subject, setting), setting)
 
     def term(self, target: Target, setting: Setting, part: Stretch) -> Expression:
@@ -129,12 +129,12 @@ class HeatGoal(SumGoal):
     noun = HEAT
 
     def force(self, target: Target, setting: Setting) -> str:
-        """The friction."""
+        """Return the friction."""
         names = [face.subject for face in setting.mechanism.faces]
         return f"f{names.index(target.subject)}"
 
     def bodies(self, target: Target) -> Sequence[str]:
-        """The one that slips."""
+        """Return the one that slips."""
         return (target.subject,)
 
     def term(self, target: Target, setting: Setting, part: Stretch) -> Expression:
@@ -160,12 +160,12 @@ class HandWork(SumGoal):
     noun = WORK
 
     def bodies(self, target: Target) -> Sequence[str]:
-        """None by themselves: those that the string moves, see `lines`."""
+        """Return None by themselves: those that the string moves, see `lines`."""
         del target
         return ()
 
     def lines(self, target: Target) -> Sequence[str]:
-        """The string that is drawn in."""
+        """Return the string that is drawn in."""
         return (target.subject,)
 
     def term(self, target: Target, setting: Setting, part: Stretch) -> Expression:
@@ -190,7 +190,7 @@ class PathLength(SumGoal):
         return part.path(target.subject)
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """The sum, after its terms if it is written without them, as of a body that turns back."""
+        """Return the sum, after its terms if it is written without them, as of a body that turns back."""
         found = (term for part in known.stretches for term in part.paths(target.subject))
         terms = [term for term in found if term != ZERO]  # it has none in a flight that only begins at the moment
         whole: Expression = ZERO
@@ -232,7 +232,7 @@ class NetImpulseGoal(Goal):
 
 
 def tension(line: str, setting: Setting) -> str:
-    """The unknown that stands for the tension of a string."""
+    """Return the unknown that stands for the tension of a string."""
     names = [held.name for held in setting.mechanism.constraints]
     if line not in names:
         raise UnsolvedError("it has no tension of its own")
@@ -240,7 +240,7 @@ def tension(line: str, setting: Setting) -> str:
 
 
 def _tied(body: str, setting: Setting) -> str:
-    """The only string at a body."""
+    """Return the only string at a body."""
     m = setting.mechanism
     found = [line.name for line in m.strings if any(m.site[site].body == body for site in line.through)]
     if len(found) != 1:
@@ -277,11 +277,11 @@ class CollisionGoal(Goal):
         return "v"
 
     def bodies(self, target: Target) -> Sequence[str]:
-        """Those that collide, but for all."""
+        """Return those that collide, but for all."""
         return members(target.subject) if self.of == "pair" else (target.subject,) if self.of == "body" else ()
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """One formula, or a sum of names."""
+        """Return one formula, or a sum of names."""
         own = {*self.bodies(target)}
         held = [struck for struck in known.impacts if not own or {*struck.bodies} == own]
         if not held:

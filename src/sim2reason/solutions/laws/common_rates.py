@@ -48,7 +48,7 @@ def equal(row: Row) -> tuple[tuple[int, int], int] | None:
 
 
 def gravitational_constant(book: Book, value: float) -> Symbol:
-    """The constant of gravitation, which the text says once for all."""
+    """Return the constant of gravitation, which the text says once for all."""
     if "G" not in book.values:
         book.reserve("G")
         book.know("G", value)

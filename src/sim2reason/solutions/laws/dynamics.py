@@ -88,7 +88,7 @@ class Dynamics:
         return True
 
     def _below(self, body: str) -> list[int]:
-        """The coordinates of what carries a body, the nearest first."""
+        """Return the coordinates of what carries a body, the nearest first."""
         found: list[int] = []
         step = self.mechanism.body[body].parent
         while step is not None:
@@ -103,7 +103,7 @@ class Dynamics:
         return [place for place in range(len(self.newton.lines)) if acting[place]]
 
     def laws(self, goals: Sequence[str]) -> tuple[list[Row], list[str]]:
-        """All laws of this segment, and their unknowns."""
+        """Return all laws of this segment, and their unknowns."""
         newton, size = self.newton, len(self.mechanism.coordinates)
         sticking = [face for face, side in newton.rough.items() if side == 0]
         pressing = {face for face, side in newton.rough.items() if side}
@@ -193,7 +193,7 @@ class Dynamics:
             self.names[f"q{k}"] = Polynomial.of(named).scaled(float(sense))
 
     def _turn(self, held: dict[int, int]) -> int:
-        """The sense in which they move, or begin to."""
+        """Return the sense in which they move, or begin to."""
         for values in (self.own(self.segment.v), [self.values[f"q{k}"] for k in range(len(self.segment.v))]):
             found = next((s * values[k] for k, s in held.items() if abs(values[k]) > STILL), 0.0)
             if found:
@@ -213,7 +213,7 @@ class Dynamics:
                 self._force(name, name[0], self.setting.mark(self.mechanism.faces[int(name[1:])].subject))
 
     def added(self, group: Sequence[Row]) -> Row:
-        """The sum of Newton's laws of a group."""
+        """Return the sum of Newton's laws of a group."""
         forces, inertia = total(row.forces for row in group), total(row.inertia for row in group)
         return Row("newton", group[0].number, forces, inertia)
 
@@ -250,7 +250,7 @@ class Dynamics:
         return self._units
 
     def moving(self, k: int, sense: int) -> str:
-        """The direction of a coordinate, in words."""
+        """Return the direction of a coordinate, in words."""
         coordinate = self.mechanism.coordinates[k]
         x, y, z = coordinate.axis
         labels = [held.label for held in self.mechanism.body[coordinate.body].coordinates]

@@ -116,7 +116,7 @@ class EquationsOfMotion:
         self._below: dict[Expression, Polynomial] = {}  # what one is divided by
 
     def inertia(self, k: int) -> Polynomial:
-        """What stands before the accelerations, with them."""
+        """Return what stands before the accelerations, with them."""
         here, there = self._here.full_mass()[k], self._there.full_mass()[k]
         pairs = enumerate(zip(here, there, strict=True))
         return total(self.read(a, b) * self.names.acceleration(j) for j, (a, b) in pairs)
@@ -126,16 +126,16 @@ class EquationsOfMotion:
         return self.read(self._here.full_mass()[k][j], self._there.full_mass()[k][j])
 
     def load(self, k: int) -> Polynomial:
-        """What is given to act along a coordinate."""
+        """Return what is given to act along a coordinate."""
         return self.read(self._here.force[k], self._there.force[k])
 
     def pull(self, row: int, k: int) -> Polynomial:
-        """How a constraint's length grows with a coordinate."""
+        """Return how a constraint's length grows with a coordinate."""
         here, there = (rows[row].along.get(k, 0.0) for rows in self._rows)
         return self.read(here, there)
 
     def held(self, row: int) -> tuple[Polynomial, Polynomial]:
-        """What the accelerations must add up to: both sides of the second derivative of a constraint."""
+        """Return what the accelerations must add up to: both sides of the second derivative of a constraint."""
         size = range(len(self.mechanism.coordinates))
         left = total(self.pull(row, k) * self.names.acceleration(k) for k in size)
         return left, self.read(*(rows[row].target for rows in self._rows))
@@ -146,7 +146,7 @@ class EquationsOfMotion:
         return self._here.rows(starts), self._there.rows(starts)
 
     def pressing(self, face: int) -> Polynomial:
-        """The normal force of a face, but for what constraints add to it."""
+        """Return the normal force of a face, but for what constraints add to it."""
         size = range(len(self.mechanism.coordinates))
         parts = [
             self.read(self._here.lifted[face][k], self._there.lifted[face][k]) * self.names.acceleration(k)
@@ -155,7 +155,7 @@ class EquationsOfMotion:
         return total(parts) - self.read(self._here.press[face], self._there.press[face])
 
     def lifted(self, row: int, face: int) -> Polynomial:
-        """How a constraint lifts what lies on a face."""
+        """Return how a constraint lifts what lies on a face."""
         return self.read(*(rows[row].lift.get(face, 0.0) for rows in self._rows))
 
     @property

@@ -31,7 +31,7 @@ class Way(Protocol):
     """A strategy, as far as it is needed here."""
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply to a question."""
+        """Return why it does not apply to a question."""
         ...
 
     def write(self, setting: Setting, book: Book) -> str:
@@ -40,7 +40,7 @@ class Way(Protocol):
 
 
 def inner_setting(setting: Setting) -> Setting:
-    """The same scene with the other question asked about it."""
+    """Return the same scene with the other question asked about it."""
     assert isinstance(setting.query, NestedQuery)
     return replace(setting, query=setting.query.inner, unknown="", stated=None, sought=None)
 
@@ -109,7 +109,7 @@ def inserted(book: Book, goal: str, equation: str) -> str:
 
 
 def short_formula(inner: Setting, book: Book, goal: str) -> Expression | None:
-    """All steps to a result put together; None where that leads to no formula that is short."""
+    """Return all steps to a result put together; None where that leads to no formula that is short."""
     try:
         return _shortened(_whole(inner, book, goal))
     except ClosedFormError:
@@ -117,7 +117,7 @@ def short_formula(inner: Setting, book: Book, goal: str) -> Expression | None:
 
 
 def _shortened(formula: Expression) -> Expression | None:
-    """A formula as one would write it; None if it is not short even then."""
+    """Return a formula as one would write it; None if it is not short even then."""
     if len(formula.latex()) > UNSHORTENED:
         return None
     try:
@@ -128,7 +128,7 @@ def _shortened(formula: Expression) -> Expression | None:
 
 
 def _put(formula: Expression, renamed: Mapping[str, Expression]) -> Expression:
-    """A formula with others in place of some symbols; UnsolvedError where a number in it was found with them."""
+    """Return a formula with others in place of some symbols; UnsolvedError where a number in it was found with them."""
     try:
         formula = put_all(formula, renamed)
     except TypeError as error:
@@ -156,7 +156,7 @@ def _is_in_numbers(held: Expression) -> bool:
 
 
 def _leading(book: Book, goal: str) -> list[tuple[str, Expression]]:
-    """The names that lead to a result, each after those on which it rests, with their formulas."""
+    """Return the names that lead to a result, each after those on which it rests, with their formulas."""
     formulas = {
         relation.left.latex(): relation.right
         for step in book.steps
@@ -181,7 +181,7 @@ def _whole(inner: Setting, book: Book, goal: str) -> Expression:
 
 
 def lone_symbol(setting: Setting, path: str) -> str:
-    """The symbol of the number at an address; UnsolvedError if another number has it, too."""
+    """Return the symbol of the number at an address; UnsolvedError if another number has it, too."""
     given = setting.lexicon.givens.get(path)
     alike = [held for held in setting.lexicon.givens.values() if given is not None and held.symbol == given.symbol]
     if given is None or len(alike) > 1:
@@ -190,5 +190,5 @@ def lone_symbol(setting: Setting, path: str) -> str:
 
 
 def counted(value: float, unit: str) -> float:
-    """An answer as formulas count it: radians for degrees."""
+    """Return an answer as formulas count it: radians for degrees."""
     return radians(value) if unit == DEGREES else value

@@ -24,7 +24,7 @@ Side = tuple[Mechanism, Frames]
 
 
 def symbol(kind: str, number: int) -> Polynomial:
-    """An unknown of this module."""
+    """Return an unknown of this module."""
     return Polynomial.of(Symbol(f"{kind}{number}"))
 
 
@@ -73,7 +73,7 @@ class Newton:
         return Both(float(number(here, frames)), float(number(there, others)))
 
     def read(self, number: Callable[[Mechanism, Frames], float]) -> Polynomial:
-        """A number of the mechanism and its geometry at the start, in symbols."""
+        """Return a number of the mechanism and its geometry at the start, in symbols."""
         return self.lexicon.read(self._both(number))
 
     @cached_property
@@ -117,11 +117,11 @@ class Newton:
         return [self.read(lambda m, _, n=n: m.bodies[n].mass) for n in range(len(self.mechanism.bodies))]
 
     def mass(self, body: str) -> Polynomial:
-        """The mass of a body."""
+        """Return the mass of a body."""
         return self._masses[next(n for n, held in enumerate(self.mechanism.bodies) if held.name == body)]
 
     def moved(self, body: str) -> list[int]:
-        """The coordinates that move the centre of mass of a body."""
+        """Return the coordinates that move the centre of mass of a body."""
         gradient = self._sides[0][1].center(body).gradient
         return [k for k, way in gradient.items() if product(way, way) > 1e-18]
 
@@ -132,7 +132,7 @@ class Newton:
     # ---- laws
 
     def newton(self, k: int) -> Row:
-        """The law of a coordinate."""
+        """Return the law of a coordinate."""
         inertia, forces = list[Polynomial](), list[Polynomial]()
         for number, body in enumerate(self.mechanism.bodies):
             moved = self.moved(body.name) if body.mass else []
@@ -169,7 +169,7 @@ class Newton:
         return [part * symbol("q", j) for j in hinges if k in hinges and (part := self.turning(k, j))]
 
     def turning(self, k: int, j: int) -> Polynomial:
-        """The moment of inertia that two hinges share, over the squares of the radii of their rims."""
+        """Return the moment of inertia that two hinges share, over the squares of the radii of their rims."""
 
         def inertia(m: Mechanism, f: Frames) -> float:
             total = 0.0
@@ -187,7 +187,7 @@ class Newton:
         return (tension * self.stretch(number, k)).scaled(-1.0) if tension else NIL
 
     def tension(self, number: int, line: Line) -> Polynomial:
-        """The tension of a line: unknown, or that of a hand; none if it is slack."""
+        """Return the tension of a line: unknown, or that of a hand; none if it is slack."""
         if isinstance(line.law, ConstantTension):
             return self.read(lambda m, _: getattr(m.lines[number].law, "force", 0.0))
         if not line.law.row:
@@ -239,12 +239,12 @@ class Newton:
         return found
 
     def alone(self, face: int) -> int | None:
-        """The one coordinate along which a face slips; None if there are several."""
+        """Return the one coordinate along which a face slips; None if there are several."""
         slip = self.slip(face)
         return next(iter(slip)) if len(slip) == 1 else None
 
     def friction(self, face: int) -> Polynomial:
-        """The friction along the slip: −µN against it, or an unknown."""
+        """Return the friction along the slip: −µN against it, or an unknown."""
         side = self.rough.get(face)
         if side is None:
             return NIL

@@ -73,12 +73,12 @@ class Burning(Way):
 
     @property
     def waits(self) -> bool:
-        """Whether it stands on the ground until it is light enough."""
+        """Return whether it stands on the ground until it is light enough."""
         return self.setting.motion.segments[0].a[0] <= 0.0
 
     @property
     def out(self) -> bool:
-        """Whether its engine is off by then."""
+        """Return whether its engine is off by then."""
         return self.setting.time > self.burn.until * (1.0 + 1e-9) or isinstance(self.query, StretchQuery)
 
     @cached_property
@@ -136,7 +136,7 @@ class Burning(Way):
 
     @cached_property
     def burned(self) -> Symbol:
-        """When the fuel is spent."""
+        """Return when the fuel is spent."""
         formula = (self.first - self.dry) / self.rate_of_burning
         base = self.book.fresh("t", r"\text{out}") if self.out else self.book.fresh("t")
         return self.book.told("time", "The fuel lasts for", base, formula, SECONDS)
@@ -257,7 +257,7 @@ class Burning(Way):
 
 
 def _pull(mechanism: Mechanism) -> float:
-    """The acceleration of free fall along the rocket's way, at the start."""
+    """Return the acceleration of free fall along the rocket's way, at the start."""
     axis = mechanism.coordinates[0].axis
     found = -sum(a * b for a, b in zip(axis, mechanism.gravity, strict=True))
     frames = start(mechanism)

@@ -16,7 +16,7 @@ class SpringLaws(Newton):
         return [number for number, line in enumerate(self.mechanism.lines) if isinstance(line.law, Elastic)]
 
     def tension(self, number: int, line: Line) -> Polynomial:
-        """That of a spring is a symbol of its own."""
+        """Return the tension of a line; that of a spring is a symbol of its own."""
         if not isinstance(line.law, Elastic):
             return Newton.tension(self, number, line)
         if line.law.side:
@@ -39,11 +39,11 @@ class SpringLaws(Newton):
         return self.read(lambda m, f: _length(m.lines[number], f) - _natural(m, number))
 
     def length(self, number: int) -> Polynomial:
-        """How long it is at the start."""
+        """Return how long it is at the start."""
         return self.read(lambda m, f: _length(m.lines[number], f))
 
     def changes(self, number: int, k: int) -> Both:
-        """How its length grows with a coordinate, as numbers."""
+        """Return how its length grows with a coordinate, as numbers."""
         return self._stretch(number, k) / self.scale[k]
 
 

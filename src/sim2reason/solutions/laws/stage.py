@@ -66,7 +66,7 @@ class Stage:
         self._moved: dict[str, Polynomial] = {}
 
     def relative(self, kind: str, k: int) -> Polynomial:
-        """A rate or a way at the end, relative to what carries the body."""
+        """Return a rate or a way at the end, relative to what carries the body."""
         of = {"v": self.velocity, "s": self.place}[kind]
         if k not in self.dynamics.carried:
             return of(k)
@@ -81,11 +81,11 @@ class Stage:
     # ---- by coordinate
 
     def acceleration(self, k: int) -> Polynomial:
-        """The second derivative of a coordinate."""
+        """Return the second derivative of a coordinate."""
         return NIL if self.uniform else self.dynamics.names[f"q{k}"]
 
     def velocity(self, k: int) -> Polynomial:
-        """The rate of a coordinate at the end."""
+        """Return the rate of a coordinate at the end."""
         if self.uniform:
             return self.speeds.get(k, NIL)
         shared = self._shared(k)
@@ -116,7 +116,7 @@ class Stage:
         return self._travelled(shared).scaled(float(shared.sense[k])) if shared is not None else NIL
 
     def gained(self, k: int) -> Polynomial:
-        """The same, relative to what carries the body."""
+        """Return the same, relative to what carries the body."""
         if k not in self.dynamics.carried:
             return self.gain(k)
         j, sign = self.dynamics.carried[k]
@@ -194,7 +194,7 @@ class Stage:
         return self.written_time
 
     def _rolling(self) -> Symbol:
-        """When the surfaces no longer slip: Σ factor (v + a t) = 0."""
+        """Return when the surfaces no longer slip: Σ factor (v + a t) = 0."""
         begun = total(part * self.speeds.get(k, NIL) for k, part in self.end.slip.items())
         gained = total(part * self.acceleration(k) for k, part in self.end.slip.items())
         step, name = self.book.open("time"), self.book.fresh("t")

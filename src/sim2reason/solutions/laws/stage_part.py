@@ -29,24 +29,24 @@ class Course(Protocol):
 
     @property
     def dynamics(self) -> Dynamics:
-        """What names its displacements, or its accelerations."""
+        """Return what names its displacements, or its accelerations."""
         ...
 
     @property
     def time(self) -> Symbol:
-        """How long it takes."""
+        """Return how long it takes."""
         ...
 
     def gain(self, k: int) -> Polynomial:
-        """How far a coordinate comes."""
+        """Return how far a coordinate comes."""
         ...
 
     def gained(self, k: int) -> Polynomial:
-        """The same, relative to what carries the body."""
+        """Return the same, relative to what carries the body."""
         ...
 
     def path(self, k: int) -> Expression:
-        """How far to and fro, without a sign."""
+        """Return how far to and fro, without a sign."""
         ...
 
 
@@ -82,11 +82,11 @@ class StagePart(Stretch):
 
     @property
     def time(self) -> Symbol:
-        """How long it takes."""
+        """Return how long it takes."""
         return self.stage.time
 
     def force(self, kind: str, name: str) -> Polynomial:
-        """A tension; µN against the slip of a body that slides, with the sign that makes its work positive."""
+        """Return a tension; µN against the slip of a body that slides, with the sign that makes its work positive."""
         m, names = self.way.mechanism, self.laws.names
         if kind == "T":
             line = m.line[name]
@@ -98,7 +98,7 @@ class StagePart(Stretch):
         return (self._newton.coefficient(face) * names[f"N{face}"]).scaled(float(side)) if side else NIL
 
     def moved(self, body: str, line: str) -> Polynomial:
-        """How far a body moves along a line that is tied to it."""
+        """Return how far a body moves along a line that is tied to it."""
         own = self.stage.dynamics.enough(self.way.moving([body]))
         parts: list[Polynomial] = []
         for k in own:
@@ -107,7 +107,7 @@ class StagePart(Stretch):
         return total(parts)
 
     def slipped(self, body: str) -> Polynomial:
-        """How far it slips on its face."""
+        """Return how far it slips on its face."""
         face = next(n for n, held in enumerate(self.way.mechanism.faces) if held.subject == body)
         return total(part * self.stage.gained(k) for k, part in self._newton.slip(face).items())
 
@@ -118,7 +118,7 @@ class StagePart(Stretch):
         return total(self._newton.stretch(number, k) * self.stage.gained(k) for k in moving).scaled(-1.0)
 
     def path(self, body: str) -> Expression:
-        """How far it travels along its line."""
+        """Return how far it travels along its line."""
         dynamics = self.stage.dynamics
         own = [k for k in dynamics.enough(self.way.moving([body])) if k not in dynamics.frozen]
         if not own:
@@ -129,7 +129,7 @@ class StagePart(Stretch):
 
 
 def _along(mechanism: Mechanism, frames: Frames, of: tuple[str, str, int]) -> float:
-    """How much of a coordinate's motion goes along a line, away from where that is tied to a body."""
+    """Return how much of a coordinate's motion goes along a line, away from where that is tied to a body."""
     body, line, k = of
     through = mechanism.line[line].through
     ends = through if mechanism.site[through[0]].body == body else through[::-1]

@@ -145,7 +145,7 @@ def told_friction(
 
 
 def found_alone(dynamics: Dynamics, rows: list[Row], name: str) -> Expression | None:
-    """A force, from a law in which all else has a value by now; None if there is none."""
+    """Return a force, from a law in which all else has a value by now; None if there is none."""
     named = dynamics.names.get(name)
     if named is not None:
         named = named if named.names() <= dynamics.book.values.keys() else named.put(dynamics.bound)

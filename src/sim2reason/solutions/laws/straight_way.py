@@ -36,20 +36,20 @@ class Way(ABC):
 
     @abstractmethod
     def rate(self, kind: str, k: int) -> Polynomial:
-        """How fast a coordinate changes (``v``), how fast that does (``a``), or by how much it has (``s``)."""
+        """Return how fast a coordinate changes (``v``), how fast that does (``a``), or by how much it has (``s``)."""
 
     @abstractmethod
     def force(self, kind: str, name: str) -> Symbol:
-        """A force that Newton's laws gave."""
+        """Return a force that Newton's laws gave."""
 
     @property
     def goal(self) -> Goal | None:
-        """How the quantity follows; None for a time."""
+        """Return how the quantity follows; None for a time."""
         return GOALS[self.target.quantity] if self.target is not None else None
 
     @property
     def uses(self) -> str:
-        """What of the motion is needed; of a time, displacements."""
+        """Return what of the motion is needed; of a time, displacements."""
         return self.goal.uses if self.goal is not None else "s"
 
     @cached_property
@@ -57,16 +57,16 @@ class Way(ABC):
         return start(self.mechanism)
 
     def moving(self, bodies: Sequence[str]) -> list[int]:
-        """The coordinates that move some bodies."""
+        """Return the coordinates that move some bodies."""
         ways = (self._start.center(body).gradient.items() for body in bodies)
         return sorted({k for found in ways for k, way in found if product(way, way) > STILL})
 
     def own(self, body: str) -> list[int]:
-        """The coordinates whose rates add up to the motion of a body; by default all that move it."""
+        """Return the coordinates whose rates add up to the motion of a body; by default all that move it."""
         return self.moving([body])
 
     def asked_coordinates(self) -> list[int]:
-        """The coordinates that move what is asked about."""
+        """Return the coordinates that move what is asked about."""
         if self.target is None or self.goal is None:
             return []
         bodies, sense = list(self.goal.bodies(self.target)), self.target.sense
@@ -81,13 +81,13 @@ class Way(ABC):
         return abs(product(self._start.center(body).gradient[k], way)) >= STILL
 
     def stretching(self, line: str) -> list[int]:
-        """The coordinates with which the length of a line changes."""
+        """Return the coordinates with which the length of a line changes."""
         newton = Newton(self.setting.lexicon, self.setting.motion.segments[0])
         number = self.mechanism.lines.index(self.mechanism.line[line])
         return [k for k in range(len(self.mechanism.coordinates)) if newton.stretch(number, k)]
 
     def hinge(self, body: str) -> int | None:
-        """The coordinate that turns a body about its own centre; None if there is none."""
+        """Return the coordinate that turns a body about its own centre; None if there is none."""
         own = self.mechanism.body[body]
         turning = [c.name for c in own.coordinates if c.kind == "hinge" and any(own.inertia)]
         return self.mechanism.number[turning[0]] if len(turning) == 1 else None
@@ -111,7 +111,7 @@ class Way(ABC):
         return self.projected(body, way, {k: self.rate(kind, k) for k in along})
 
     def projected(self, body: str, way: Vector, rates: Mapping[int, Polynomial]) -> Polynomial:
-        """The component of what moves a body, by coordinate.
+        """Return the component of what moves a body, by coordinate.
 
         A slanted sense holds the scene's own numbers, so that the twin's could not be read along it.
         """
@@ -130,7 +130,7 @@ class Way(ABC):
         return total(parts)
 
     def vector(self, kind: str, body: str) -> Components:
-        """All three components, along the axes that the text gives the body, else those of the room."""
+        """Return all three components, along the axes that the text gives the body, else those of the room."""
         own = self._own(body)
         if own:
             rates = self.first_speeds if kind == "u" else {k: self.rate(kind, k) for k in own}
@@ -150,7 +150,7 @@ class Way(ABC):
         return total(rate.scaled(float(round(sense))) for rate, sense in zip(rates, senses, strict=True))
 
     def _own(self, body: str) -> list[int]:
-        """The coordinates of a body that has axes of its own in the text, at right angles."""
+        """Return the coordinates of a body that has axes of its own in the text, at right angles."""
         found = [c for c in self.mechanism.body[body].coordinates if c.label in AXES and c.kind == "slide"]
         free = self.mechanism.body[body].parent is None and len(found) == 2
         return [self.mechanism.number[c.name] for c in found] if free else []
@@ -168,12 +168,12 @@ class Way(ABC):
         return (x, y, NIL) if own else (x, y, z)
 
     def rim(self, kind: str, body: str) -> Polynomial:
-        """What the rim of a body does that turns about its own axis."""
+        """Return what the rim of a body does that turns about its own axis."""
         k = self.hinge(body)
         return self.rate(kind, k) if k is not None else NIL
 
     def radius(self, body: str) -> Polynomial:
-        """The radius of that rim."""
+        """Return the radius of that rim."""
         k = self.hinge(body)
         if k is None:
             raise UnsolvedError(f"{body} does not turn")
@@ -191,12 +191,12 @@ class Way(ABC):
         del body
 
     def axes(self, body: str) -> tuple[str, ...]:
-        """What the text calls the room's directions for a body."""
+        """Return what the text calls the room's directions for a body."""
         own = [self.mechanism.coordinates[k].label for k in self._own(body)]
         return (*own, "") if own else AXES
 
     def spring(self, what: str, line: str) -> Polynomial:
-        """A number of a spring; by default there is none."""
+        """Return a number of a spring; by default there is none."""
         raise UnsolvedError(f"no {what} of {line}")
 
     def growth(self, kind: str, line: str) -> Polynomial:
@@ -209,11 +209,11 @@ class Way(ABC):
         raise UnsolvedError("no way to what adds up over a motion")
 
     def work(self, line: str, body: str) -> Symbol | None:
-        """That of a tension which changes all the while; by default it is constant, part by part."""
+        """Return that of a tension which changes all the while; by default it is constant, part by part."""
         del line, body
 
     def impulse(self, line: str) -> Symbol | None:
-        """That of a tension which changes all the while; by default it is constant, part by part."""
+        """Return that of a tension which changes all the while; by default it is constant, part by part."""
         del line
 
     @property
@@ -222,7 +222,7 @@ class Way(ABC):
         raise UnsolvedError("there are no collisions")
 
     def mass(self, body: str) -> Polynomial:
-        """The mass of a body."""
+        """Return the mass of a body."""
         return self.newton.mass(body)
 
     @property

@@ -21,7 +21,7 @@ from sim2reason.solutions.laws.rolling_words import (
 )
 from sim2reason.solutions.laws.sliding import directions_of_friction, verify_sliding
 from sim2reason.solutions.laws.sticking import verify_sticking
-from sim2reason.solutions.laws.tension_checks import balanced_tensions, doubled, needed, verify_taut
+from sim2reason.solutions.laws.strings_and_pulleys import balanced_tensions, doubled, needed, verify_taut
 from sim2reason.solutions.setting import capital
 from sim2reason.solutions.writing.steps import UnsolvedError, Writing
 from sim2reason.solutions.writing.unit_latex import NEWTONS
@@ -188,7 +188,7 @@ class DynamicsWriter:
         return found
 
     def _dependent(self, zero: Polynomial) -> str:
-        """The acceleration that is best expressed by the others: none that is asked for, and simply."""
+        """Return the acceleration that is best expressed by the others: none that is asked for, and simply."""
         names = [n for n in sorted(zero.names() & self.d.units.keys()) if zero.coefficient(n).number is not None]
         if not names:
             raise UnsolvedError("a string binds accelerations at a ratio that changes")
@@ -225,7 +225,7 @@ class DynamicsWriter:
     # ---- rows
 
     def _row(self, group: Sequence[Row]) -> Row:
-        """The sum of a group's laws, in the symbols of the book, along the sense in which it moves."""
+        """Return the sum of a group's laws, in the symbols of the book, along the sense in which it moves."""
         sense = float(self.d.sense.get(group[0].number, 1))
         row = self.d.added(group)
         forces, inertia = (part.put(self.names).put(self.inline).scaled(sense) for part in (row.forces, row.inertia))
@@ -304,5 +304,5 @@ class DynamicsWriter:
 
 
 def _name_of(held: Polynomial) -> str:
-    """The one symbol of a polynomial."""
+    """Return the one symbol of a polynomial."""
     return next(iter(held.names()), "")

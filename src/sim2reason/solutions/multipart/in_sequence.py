@@ -11,7 +11,7 @@ from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import Expression, Symbol
 from sim2reason.solutions.algebra.inverse import solved_for
 from sim2reason.solutions.algebra.stated_equations import tidied
-from sim2reason.solutions.laws.tension_checks import TAUT
+from sim2reason.solutions.laws.strings_and_pulleys import TAUT
 from sim2reason.solutions.multipart.quantities import SAME, NamedQuantity, agree, meanings, names_of, quantities
 from sim2reason.solutions.multipart.quoting import DEFINED, quoting, referred, without_unused
 from sim2reason.solutions.multipart.recall import EARLIER, given_for, kept_steps, known_from, renumbered, starting_from

@@ -46,7 +46,7 @@ class Harmonic:
         return sqrt(k / m), self.motion.load(self._free).value(at) / k, self.first.value(at)
 
     def where(self, time: float) -> tuple[float, float]:
-        """The place and the speed at a time, s."""
+        """Return the place and the speed at a time, s."""
         omega, rest, fast = self.numbers
         c, s = cos(omega * time), sin(omega * time)
         return rest * (1.0 - c) + fast / omega * s, rest * omega * s + fast * c
@@ -63,7 +63,7 @@ class Harmonic:
         return abs(self.where(time)[1]) <= LITTLE * omega * self.size
 
     def instants(self, until: float) -> list[float]:
-        """When it turns back, or passes the place of balance, up to a time."""
+        """Return when it turns back, or passes the place of balance, up to a time."""
         omega, rest, fast = self.numbers
         begun = atan2(fast / omega, -rest)
         found = [(begun + n * pi / 2.0) / omega for n in range(-4, int(2.0 * omega * until / pi) + 5)]
@@ -172,14 +172,14 @@ class Harmonic:
         return self.book.told("amplitude", "The amplitude is", name, formula, METRES)
 
     def turning(self, time: float) -> Expression:
-        """The place where it turns back at a time."""
+        """Return the place where it turns back at a time."""
         beyond = self.where(time)[0] > self.numbers[1]
         formula = self.rest + self.amplitude if beyond else self.rest - self.amplitude
         collected = fraction(formula)
         return formula if collected.below else collected.above.expression()
 
     def angle_of_turning(self, time: float) -> Expression:
-        """The phase ωt where it turns back."""
+        """Return the phase ωt where it turns back."""
         if ZERO in (self.begun, self.rest):
             formula: Expression = ZERO
             shift = 0.0 if self.begun == ZERO else 0.5
@@ -189,7 +189,7 @@ class Harmonic:
         return formula + Number(turns + shift) * PI if turns + shift else formula
 
     def angle_of(self, place: Expression, time: float) -> Expression:
-        """The phase ωt at which it is at a place, at about a time."""
+        """Return the phase ωt at which it is at a place, at about a time."""
         omega = self.numbers[0]
         apart = place - self.rest
         if self.rest == place == ZERO:
@@ -219,7 +219,7 @@ class Harmonic:
         return found + Number(best[2]) * PI if best[2] else found
 
     def _share(self, one: Expression, other: Expression) -> Expression:
-        """One over the other, with at most one sign."""
+        """Return one over the other, with at most one sign."""
         sizes = [part if self.book.value(part) >= 0.0 else -part for part in (one, other)]
         held = sizes[0] / sizes[1]
         return held if self.book.value(one) * self.book.value(other) >= 0.0 else -held

@@ -29,7 +29,7 @@ SOUND = 1e-7  # relative: how well the equations must agree with the engine's
 
 
 def nonlinear(mechanism: Mechanism) -> str:
-    """Why the equations are not linear with constant coefficients; empty if they are."""
+    """Return why the equations are not linear with constant coefficients; empty if they are."""
     frames = start(mechanism)
     plain = replace(mechanism, lines=tuple(line for line in mechanism.lines if not isinstance(line.law, Elastic)))
     found = changing(plain, frames)
@@ -40,13 +40,13 @@ def nonlinear(mechanism: Mechanism) -> str:
 
 
 def fewest_free(mechanism: Mechanism) -> int:
-    """How many coordinates are free at least: where all strings are taut, and nothing slips."""
+    """Return how many coordinates are free at least: where all strings are taut, and nothing slips."""
     rough = [face for face in mechanism.faces if face.friction]
     return len(mechanism.coordinates) - len(mechanism.constraints) - len(rough)
 
 
 def _on_a_ring(mechanism: Mechanism) -> bool:
-    """Whether all that moves are beads on one level circle, which only springs along it pull."""
+    """Return whether all that moves are beads on one level circle, which only springs along it pull."""
     level = all(c.kind == "hinge" and abs(c.axis[2]) > 1.0 - STILL for c in mechanism.coordinates)
     alone = all(len(body.coordinates) == 1 and body.parent is None for body in mechanism.bodies)
     return level and alone and not mechanism.faces and all(line.circle for line in mechanism.lines)
@@ -69,7 +69,7 @@ class LinearMotion:
 
     @classmethod
     def of(cls, setting: Setting, segment: Segment, wanted: tuple[int, ...]) -> "LinearMotion":
-        """The same for all questions about one motion that want the same coordinates free."""
+        """Return the same for all questions about one motion that want the same coordinates free."""
         if setting.scene is not setting.study.scene:
             return cls(setting, segment, wanted)
         key = "linear motion", setting.lexicon, segment.start, wanted
@@ -89,13 +89,13 @@ class LinearMotion:
 
     @cached_property
     def rows(self) -> list[Row]:
-        """What binds coordinates: taut strings, and grips."""
+        """Return what binds coordinates: taut strings, and grips."""
         acting = self.segment.found.mode.acting
         found = [self.laws.string(place) for place in range(len(self.laws.lines)) if acting[place]]
         return found + [self.laws.rolling(face) for face, side in self.laws.rough.items() if side == 0]
 
     def _matrix(self) -> Array:
-        """The rows in numbers; UnsolvedError where a ratio hangs on what the text says."""
+        """Return the rows in numbers; UnsolvedError where a ratio hangs on what the text says."""
         size = len(self.mechanism.coordinates)
         found = np.zeros((len(self.rows), size))
         for number, row in enumerate(self.rows):
@@ -107,7 +107,7 @@ class LinearMotion:
         return found
 
     def _free(self) -> list[int]:
-        """The free coordinates, so that all others hang on them; also `ratios`."""
+        """Return the free coordinates, so that all others hang on them; also `ratios`."""
         size, matrix = len(self.mechanism.coordinates), self._matrix()
         order = [*dict.fromkeys(self._wanted), *(k for k in range(size) if k not in self._wanted)]
         pivots: dict[int, int] = {}
@@ -128,7 +128,7 @@ class LinearMotion:
         return free
 
     def ratio(self, k: int, i: int) -> float:
-        """How fast a coordinate changes as a free one does."""
+        """Return how fast a coordinate changes as a free one does."""
         return self.ratios[k].get(i, 0.0)
 
     # ---- equations
@@ -172,7 +172,7 @@ class LinearMotion:
         return [n for n in self.laws.springs if any(self.drawn(n, i) for i in self.free)]
 
     def drawn(self, number: int, i: int) -> float:
-        """How fast a line grows as a free coordinate changes; UnsolvedError where that is no plain number."""
+        """Return how fast a line grows as a free coordinate changes; UnsolvedError where that is no plain number."""
         found = 0.0
         for k in self.ratios:
             part = self.ratio(k, i)
@@ -197,7 +197,7 @@ class LinearMotion:
         return total(of(n).scaled(part) for n, part in pairs if part)
 
     def steady(self, i: int) -> Polynomial:
-        """The forces along a free coordinate but those of springs."""
+        """Return the forces along a free coordinate but those of springs."""
         return self._sums[self.free.index(i)][0].without([f"S{n}" for n in self.laws.springs])
 
     def friction(self, i: int) -> Polynomial:
@@ -224,7 +224,7 @@ class LinearMotion:
 
     @property
     def damped(self) -> bool:
-        """Whether there are dashpots."""
+        """Return whether there are dashpots."""
         return any(self.laws.damping(n) for n in self.springs)
 
     # ---- in numbers
@@ -250,7 +250,7 @@ class LinearMotion:
 
 
 def _tried(make: Callable[[], LinearMotion]) -> "LinearMotion | UnsolvedError | UnreadError":
-    """What is made, or why it can't be."""
+    """Return what is made, or why it can't be."""
     try:
         return make()
     except (UnsolvedError, UnreadError) as error:

@@ -34,15 +34,15 @@ class LinearWay(Way):
 
     @abstractmethod
     def place(self, i: int) -> Polynomial:
-        """How far a free coordinate has come at the moment."""
+        """Return how far a free coordinate has come at the moment."""
 
     @abstractmethod
     def speed(self, i: int) -> Polynomial:
-        """How fast it changes."""
+        """Return how fast it changes."""
 
     @abstractmethod
     def acceleration(self, i: int) -> Polynomial:
-        """How fast that does."""
+        """Return how fast that does."""
 
     # ---- the motion
 
@@ -57,7 +57,7 @@ class LinearWay(Way):
 
     @property
     def motion(self) -> LinearMotion | RelativeMotion:
-        """What goals are answered from: all of it, or what is left where a momentum is kept."""
+        """Return what goals are answered from: all of it, or what is left where a momentum is kept."""
         return self.linear
 
     @cached_property
@@ -82,7 +82,7 @@ class LinearWay(Way):
         return total(of(i).scaled(part) for i, part in self.motion.ratios[k].items())
 
     def first(self, i: int) -> Polynomial:
-        """The rate of a free coordinate at the start."""
+        """Return the rate of a free coordinate at the start."""
         return self.first_speeds.get(i, NIL)
 
     def introduce(self, names: dict[int, Symbol], origin: str = "") -> None:
@@ -106,7 +106,7 @@ class LinearWay(Way):
         step.close()
 
     def _moved(self, names: dict[int, Symbol]) -> list[str]:
-        """What each name is; those of bodies that move the same way in one clause."""
+        """Return what each name is; those of bodies that move the same way in one clause."""
         ways: dict[tuple[str, bool], list[int]] = {}
         for i in names:
             ways.setdefault((self.towards(i), self._turns_by_itself(i)), []).append(i)
@@ -119,7 +119,7 @@ class LinearWay(Way):
         return said
 
     def _turns_by_itself(self, k: int) -> bool:
-        """Whether a coordinate is that of a rim."""
+        """Return whether a coordinate is that of a rim."""
         own = self.mechanism.coordinates[k]
         return own.kind == "hinge" and not self.moving([own.body]).count(k)
 
@@ -140,7 +140,7 @@ class LinearWay(Way):
     # ---- bodies on a ring
 
     def _ring(self, body: str) -> int | None:
-        """The hinge that leads a bead round."""
+        """Return the hinge that leads a bead round."""
         own = self.moving([body])
         if len(own) == 1 and self.mechanism.coordinates[own[0]].kind == "hinge":
             return own[0]
@@ -187,12 +187,12 @@ class LinearWay(Way):
         return total(of(i).scaled(part) for i, part in parts if part)
 
     def spring(self, what: str, line: str) -> Polynomial:
-        """A number of a spring."""
+        """Return a number of a spring."""
         found: Polynomial = getattr(self.newton, what)(self._number(line))
         return found
 
     def stretching(self, line: str) -> list[int]:
-        """The coordinates with which the length of a line changes."""
+        """Return the coordinates with which the length of a line changes."""
         gradient = set[int]()
         for piece in self._start.pieces(self.mechanism.line[line]):
             gradient |= {k for k, part in piece.along.items() if abs(float(part)) > STILL}
@@ -212,7 +212,7 @@ class LinearWay(Way):
         return self._from(row, asked, kind, name)
 
     def _alone(self, asked: str, letters: str) -> Row | None:
-        """The shortest law with a force, and with no other one of such letters."""
+        """Return the shortest law with a force, and with no other one of such letters."""
         rows = [self.newton.newton(k) for k in self.motion.ratios]
         if asked.startswith("N"):
             rows = [self.newton.normal(int(asked[1:]))]
@@ -264,7 +264,7 @@ class LinearWay(Way):
         return tension_work(self, self.motion.laws.springs, body)
 
     def clock(self) -> Symbol:
-        """The time of the moment; by default nothing takes one."""
+        """Return the time of the moment; by default nothing takes one."""
         raise UnsolvedError("no way to what adds up over a time")
 
     def _from(self, row: Row, asked: str, kind: str, name: str) -> Symbol:

@@ -48,7 +48,7 @@ def length(m: Mechanism) -> float:
 
 
 def quantity_of(setting: Setting) -> str:
-    """The quantity that is asked about, be it for its greatest value; empty for a time."""
+    """Return the quantity that is asked about, be it for its greatest value; empty for a time."""
     target = greatest_target(setting) if isinstance(setting.query, StretchQuery) else setting.query.target
     return target.quantity if target is not None else ""
 
@@ -64,7 +64,7 @@ class LoneSpring:
         self.mass = self.read(lambda m: m.bodies[0].mass)
 
     def read(self, number: Callable[[Mechanism], float]) -> Expression:
-        """A number of the mechanism."""
+        """Return a number of the mechanism."""
         return self.setting.lexicon.of(number).expression()
 
     @cached_property

@@ -24,7 +24,7 @@ class Mode:
 
 
 def _summed(modes: Sequence[Mode], i: int, t: Symbol, order: int) -> Expression:
-    """The sum of the modes, or its derivative of some order by the time."""
+    """Return the sum of the modes, or its derivative of some order by the time."""
     found: Expression = ZERO
     for mode in modes:
         inner = _free(mode, t, order) if mode.rate is None else _swung(mode, mode.rate, t, order)
@@ -51,17 +51,17 @@ def _swung(mode: Mode, rate: Symbol, t: Symbol, order: int) -> Expression:
 
 
 def place(modes: Sequence[Mode], i: int, t: Symbol) -> Expression:
-    """How far a free coordinate (by its place among them) has come at a time."""
+    """Return how far a free coordinate (by its place among them) has come at a time."""
     return _summed(modes, i, t, 0)
 
 
 def speed(modes: Sequence[Mode], i: int, t: Symbol) -> Expression:
-    """Its rate."""
+    """Return its rate."""
     return _summed(modes, i, t, 1)
 
 
 def acceleration(modes: Sequence[Mode], i: int, t: Symbol) -> Expression:
-    """The rate of that."""
+    """Return the rate of that."""
     return _summed(modes, i, t, 2)
 
 

@@ -54,7 +54,7 @@ class ModeLaws:
 
     @property
     def zeros(self) -> int:
-        """How many modes nothing drives back."""
+        """Return how many modes nothing drives back."""
         return int((self.squares < NONE * self.squares[-1]).sum())
 
     # ---- frequencies
@@ -106,13 +106,13 @@ class ModeLaws:
         return [*free, *self._several(powers)]
 
     def _only(self, powers: Sequence[Polynomial]) -> Mode:
-        """The root of a linear equation."""
+        """Return the root of a linear equation."""
         mode = self._named(self.zeros)
         self._root(mode, powers, over(powers[0].scaled(-1.0), powers[1]))
         return mode
 
     def _two(self, powers: Sequence[Polynomial]) -> list[Mode]:
-        """The roots of a quadratic equation."""
+        """Return the roots of a quadratic equation."""
         c, b, a = (held.expression() for held in powers)
         found: list[Mode] = []
         for n, sign in ((0, 1.0), (1, -1.0)):  # the coefficient of λ² and that of λ have opposite signs
@@ -130,7 +130,7 @@ class ModeLaws:
         return QuadraticRoot(self._vanishing(powers, mode.square), mode.square.name, float(self.squares[mode.number]))
 
     def _several(self, powers: Sequence[Polynomial]) -> list[Mode]:
-        """The roots of an equation of higher degree, found numerically."""
+        """Return the roots of an equation of higher degree, found numerically."""
         found: list[Mode] = []
         for n in range(len(powers) - 1):
             mode = self._named(self.zeros + n)
@@ -155,7 +155,7 @@ class ModeLaws:
         return held
 
     def _named(self, number: int) -> Mode:
-        """A mode with Newton's laws, by which its λ and its shape follow."""
+        """Return a mode with Newton's laws, by which its λ and its shape follow."""
         numbers = self.shapes[:, number]
         first = int(np.argmax(np.abs(numbers)))
         mark = str(number + 1) if self.size - self.zeros > 1 else ""
@@ -190,7 +190,7 @@ class ModeLaws:
         step.close()
 
     def row(self, mode: Mode, i: int) -> tuple[Polynomial, Polynomial]:
-        """Both sides of Newton's law of a mode along one free coordinate: stiffness and inertia."""
+        """Return both sides of Newton's law of a mode along one free coordinate: stiffness and inertia."""
         square = Polynomial.of(mode.square) if mode.square != ZERO else NIL
         parts = [(self.entry(i, j), Polynomial.of(part if part != ONE else 1.0)) for j, part in enumerate(mode.shape)]
         return total(stiff * a for (stiff, _), a in parts), total(square * mass * a for (_, mass), a in parts)

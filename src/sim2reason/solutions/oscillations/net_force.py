@@ -20,7 +20,7 @@ FINE, LEVELS = 64, 4  # parts of what is searched for a greatest value, and how 
 
 
 def greatest_target(setting: Setting) -> Target | None:
-    """The quantity whose greatest value is asked for."""
+    """Return the quantity whose greatest value is asked for."""
     query = setting.query
     if not isinstance(query, StretchQuery):
         return None
@@ -29,7 +29,7 @@ def greatest_target(setting: Setting) -> Target | None:
 
 
 def time_of_greatest(setting: Setting) -> float:
-    """When the motion takes the greatest value that is asked for, s, near enough for Newton's method."""
+    """Return when the motion takes the greatest value that is asked for, s, near enough for Newton's method."""
     query, trace, low, high = setting.query, setting.study.trace, 0.0, setting.time
     assert isinstance(query, StretchQuery)
     functional, best = FUNCTIONALS[query.functional], high

@@ -87,7 +87,7 @@ class NormalModes(ModeLaws):
         return any(abs(float(parts @ shape)) > FAINT * float(np.abs(parts).max()) for parts in held)
 
     def _last(self, n: int) -> float:
-        """The order of the last derivative in which a mode shows that the start excites.
+        """Return the order of the last derivative in which a mode shows that the start excites.
 
         What nothing drives back goes on at a constant speed, or with a constant acceleration.
         """
@@ -215,7 +215,7 @@ class NormalModes(ModeLaws):
         step.close()
 
     def _solve(self, step: Writing, rows: list[Polynomial], names: list[str]) -> list[str]:
-        """One unknown after the other, where a law has only one; the rest by Cramer's rule."""
+        """Return one unknown after the other, where a law has only one; the rest by Cramer's rule."""
         left, said = [*names], list[str]()
         waiting = [*rows]
         while left:

@@ -123,7 +123,7 @@ class RelativeMotion:
         return not any(abs(sum(self.whole.drawn(n, i) * part for i, part in pairs)) > 0.0 for n in self.whole.springs)
 
     def ratio(self, k: int, i: int) -> float:
-        """How fast a coordinate changes with one of the two."""
+        """Return how fast a coordinate changes with one of the two."""
         return self.ratios[k].get(i, 0.0)
 
     @property
@@ -132,7 +132,7 @@ class RelativeMotion:
         return self.whole.springs
 
     def drawn(self, number: int, i: int) -> float:
-        """How fast a line grows; what both share stretches none."""
+        """Return how fast a line grows; what both share stretches none."""
         return self.whole.drawn(number, i) if i == self.free[0] else 0.0
 
     # ---- inertia
@@ -179,11 +179,11 @@ class RelativeMotion:
         return self.whole.stiffness(i, j)
 
     def steady(self, i: int) -> Polynomial:
-        """All other forces along it."""
+        """Return all other forces along it."""
         return self.whole.steady(i)
 
     def load(self, i: int) -> Polynomial:
-        """All forces along it at the start."""
+        """Return all forces along it at the start."""
         return self.whole.load(i)
 
     def matrix(self, entry: str) -> Array:
@@ -194,6 +194,6 @@ class RelativeMotion:
         return np.array([[own - both**2 / shared]])
 
     def momentum(self, first: dict[int, Polynomial]) -> Polynomial:
-        """What is kept, by the rates at the start of the two."""
+        """Return what is kept, by the rates at the start of the two."""
         shared, both, _ = self.masses
         return shared * first.get(self.other, NIL) + both * first.get(self.free[0], NIL)

@@ -32,7 +32,7 @@ class SingleWay(LinearWay):
     @property
     @abstractmethod
     def name(self) -> Symbol:
-        """What the free coordinate is called."""
+        """Return what the free coordinate is called."""
 
     @property
     def mover(self) -> str:
@@ -58,17 +58,17 @@ class SingleWay(LinearWay):
         """Place ``s``, speed ``v`` or acceleration ``a`` of the free coordinate at the moment."""
 
     def place(self, i: int) -> Polynomial:
-        """How far it has come."""
+        """Return how far it has come."""
         del i
         return self.along("s")
 
     def speed(self, i: int) -> Polynomial:
-        """How fast it changes."""
+        """Return how fast it changes."""
         del i
         return self.along("v")
 
     def acceleration(self, i: int) -> Polynomial:
-        """How fast that does."""
+        """Return how fast that does."""
         del i
         return self.along("a")
 
@@ -77,7 +77,7 @@ class SingleWay(LinearWay):
         return Polynomial.of(self.motion.ratio(k, self.motion.free[0])), Polynomial.of(1.0)
 
     def moved_to(self, moment: Moved) -> Expression:
-        """Where the only free coordinate is when a body has moved a stated distance."""
+        """Return where the only free coordinate is when a body has moved a stated distance."""
         k, *_ = self.moving([moment.name])
         share, name = self.share(k), self.book.fresh("d")
         if share is None:
@@ -88,7 +88,7 @@ class SingleWay(LinearWay):
         return over(share[1] * Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0), share[0])
 
     def relaxed_place(self, spring: str) -> Expression:
-        """Where the only free coordinate is when a spring has its natural length."""
+        """Return where the only free coordinate is when a spring has its natural length."""
         part = self.motion.drawn(self._number(spring), self.motion.free[0])
         return self.spring("strain", spring).scaled(-1.0 / part).expression()
 
@@ -131,7 +131,7 @@ class PairWay(SingleWay):
         return RelativeMotion(self.linear, self.book)
 
     def share(self, k: int) -> tuple[Polynomial, Polynomial] | None:
-        """Where the momentum is zero, the centre of mass stays, so that all moves in proportion."""
+        """Return where the momentum is zero, the centre of mass stays, so that all moves in proportion."""
         held = self._relative
         if {*held.ratios[k]} == {*held.free}:
             return super().share(k)
@@ -151,7 +151,7 @@ class PairWay(SingleWay):
         return self.book.told("momentum", said, self.name, formula, METRES)
 
     def first(self, i: int) -> Polynomial:
-        """The rate at the start: of the relative motion, or of what is shared."""
+        """Return the rate at the start: of the relative motion, or of what is shared."""
         held = self._relative
         mine = self.first_speeds.get(i, NIL)
         if i == held.other:

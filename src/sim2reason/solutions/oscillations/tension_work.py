@@ -38,12 +38,12 @@ def tension_work(way: Way, springs: Collection[int], body: str) -> Symbol:
 
 
 def _is_fixed(way: Way, number: int) -> bool:
-    """Whether a spring is fixed at one end."""
+    """Return whether a spring is fixed at one end."""
     return any(way.mechanism.site[site].body is None for site in way.mechanism.lines[number].through)
 
 
 def _given_off(way: Way, number: int) -> Expression:
-    """The energy that a spring has lost."""
+    """Return the energy that a spring has lost."""
     line = way.mechanism.lines[number].name
     strain, growth = way.spring("strain", line).expression(), way.growth("s", line).expression()
     return HALF * way.spring("stiffness", line).expression() * (squares([strain]) - Power(strain + growth, 2))

@@ -204,7 +204,7 @@ class Travelled(Stretch):
     places: Sequence[Expression]
 
     def path(self, body: str) -> Expression:
-        """The sum of all ways without their signs."""
+        """Return the sum of all ways without their signs."""
         return summed(self.paths(body))
 
     def paths(self, body: str) -> Sequence[Expression]:
@@ -234,5 +234,5 @@ class Rubbing(Travelled):
         return newton.coefficient(number) * found
 
     def slipped(self, body: str) -> Polynomial:
-        """The whole path."""
+        """Return the whole path."""
         return Polynomial.of(self.path(body))

@@ -49,7 +49,7 @@ class Strategy(ABC):
 
     @abstractmethod
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply to a question about a mechanism for which it is not unfit; empty if it does."""
+        """Return why it does not apply to a question about a mechanism for which it is not unfit; empty if it does."""
 
     @abstractmethod
     def write(self, setting: Setting, book: Book) -> str:
@@ -94,12 +94,12 @@ def closed(kind: str, mechanism: Mechanism) -> list[Strategy]:
 
 
 def varying_acceleration(mechanism: Mechanism) -> str:
-    """That accelerations change as it moves; empty where they only change at events."""
+    """Return that accelerations change as it moves; empty where they only change at events."""
     return "accelerations change as it moves" if changing(mechanism) else ""
 
 
 def no_goal(setting: Setting, moments: tuple[type[Moment], ...]) -> str:
-    """What of a query no way leads to: its moment, if it is none of `moments`, or its quantity; else empty."""
+    """Return what of a query no way leads to: its moment, if it is none of `moments`, or its quantity; else empty."""
     if not isinstance(setting.query.moment, moments):
         return f"no way to the moment {type(setting.query.moment).__name__}"
     target = setting.target

@@ -17,7 +17,7 @@ from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings.angle import SMALL, Way
 from sim2reason.solutions.swings.arm import Arm, Piece, lone_axle
 from sim2reason.solutions.swings.asked import BOTH, Ends, by_energy, straight, turns_back, unasked
-from sim2reason.solutions.swings.total_angle import AxleForces, small_oscillations, swept
+from sim2reason.solutions.swings.rigid_bodies import AxleForces, small_oscillations, swept
 from sim2reason.solutions.writing.steps import Book
 from sim2reason.solutions.writing.unit_latex import (
     ANGULAR_SPEED,
@@ -40,13 +40,13 @@ class Axle(Strategy):
         return "" if lone_axle(mechanism) else "nothing turns about a fixed axle by itself"
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         if isinstance(setting.query, PeriodQuery):
             return ""
         return unasked(setting, _Turning.WAYS)
 
     def write(self, setting: Setting, book: Book) -> str:
-        """The moment of inertia, the angle, the angular speed, and what is asked."""
+        """Return the moment of inertia, the angle, the angular speed, and what is asked."""
         query = setting.query
         if isinstance(query, PeriodQuery) and query.small:
             return small_oscillations(Arm(setting, book), book, query).name
@@ -118,7 +118,7 @@ class _Turning(AxleForces):
         return 0.5 * inertia * rate**2 > g * lift
 
     def _turned(self) -> Expression:
-        """Where it turns back."""
+        """Return where it turns back."""
         arm, g, rate = self.arm, self.gravity, self.launch
         if rate == ZERO:
             return -self.first  # as far on the other side

@@ -43,11 +43,11 @@ class OnACarriage(Strategy):
     kinds = frozenset({"start", "event", "extremum", "period", "sum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether nothing swings on a carriage."""
+        """Return whether nothing swings on a carriage."""
         return "" if riding(mechanism) is not None else "nothing swings on a carriage that slides freely"
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         query = setting.query
         if isinstance(query, PeriodQuery):
             return "" if query.small else "only integration gives the time of a large swing"
@@ -59,7 +59,7 @@ class OnACarriage(Strategy):
         return "" if known else "only integration gives the angle"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """The angle, what is kept, and what is asked."""
+        """Return the angle, what is kept, and what is asked."""
         return _Asked(setting, book).write().name
 
 
@@ -75,12 +75,12 @@ class _Asked(CarriageLaws):
 
     @property
     def subject(self) -> str:
-        """What it is asked of."""
+        """Return what it is asked of."""
         return self.setting.query.subject
 
     @property
     def _rides(self) -> bool:
-        """Whether it is asked of what moves along with the carriage."""
+        """Return whether it is asked of what moves along with the carriage."""
         return self.subject in self.carriage.moving_along
 
     @property
@@ -95,7 +95,7 @@ class _Asked(CarriageLaws):
     # ---- small oscillations
 
     def _period(self, query: PeriodQuery) -> Symbol:
-        """Both swing against each other about their common centre of mass."""
+        """Return both swing against each other about their common centre of mass."""
         self.unloaded()
         book, c = self.book, self.carriage
         if self.lone:
@@ -117,14 +117,14 @@ class _Asked(CarriageLaws):
     # ---- how fast
 
     def _ahead(self) -> Expression:
-        """The velocity of what is on the arm along the rail, against the carriage."""
+        """Return the velocity of what is on the arm along the rail, against the carriage."""
         if self._straight:
             return self.carriage.sliding_mass * self.speed / self.mass
         return self._radius * self.rate * self.cosine - self.speed
 
     @property
     def _straight(self) -> bool:
-        """Whether the momentum along the rail alone gives the velocity of a lone body: at the lowest point."""
+        """Return whether the momentum along the rail alone gives the velocity of a lone body: at the lowest point."""
         return self.lone and self.sine == ZERO and self.driving_force == ZERO and ZERO not in (self.rate, self.speed)
 
     def said(self, quantity: str) -> str:
@@ -142,7 +142,7 @@ class _Asked(CarriageLaws):
         return f"{lead}${self._ahead().latex()}$, so its {quantity} is"
 
     def _rising(self) -> Expression:
-        """The velocity of what is on the arm upward."""
+        """Return the velocity of what is on the arm upward."""
         if self._rides:
             raise UnsolvedError("what rides is asked along the rail")
         up = self._radius * self.rate * self.sine
@@ -244,7 +244,7 @@ class _Asked(CarriageLaws):
         return Root(Power(rod, 2) + Power(weight, 2) - TWO * rod * weight * self.cosine)
 
     def _pull(self) -> Expression:
-        """What a block that hangs needs; UnsolvedError for the string of a hand."""
+        """Return what a block that hangs needs; UnsolvedError for the string of a hand."""
         pull = next((pull for pull in self.carriage.riding.pulls if pull.line == self.subject), None)
         if pull is None or not pull.body:
             raise UnsolvedError("a hand says what the tension is")

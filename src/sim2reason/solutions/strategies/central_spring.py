@@ -56,7 +56,7 @@ class CentralSpring(Strategy):
         return frozenset({"event"})
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         query, quantity = setting.query, quantity_of(setting)
         if not isinstance(query, StretchQuery) and not isinstance(query.moment, MOMENTS):
             return "only integration gives the place"

@@ -39,7 +39,7 @@ class Comparison(Strategy):
         return self.kinds if any(deriving(kind, mechanism) for kind in INNER) else frozenset()
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         if not isinstance(setting.query, ComparisonQuery):
             return "it compares nothing"
         inner = inner_setting(setting)
@@ -78,7 +78,7 @@ class TwoCases(Strategy):
         return frozenset()
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         if not isinstance(setting.query, ComparisonQuery):
             return "it compares nothing"
         return "" if setting.query.changed(setting.study) is not None else "there is no motion with the other value"
@@ -118,10 +118,10 @@ def compared(book: Book, query: ComparisonQuery, before: str, after: str) -> str
 
 
 def _deriving(inner: Setting) -> Sequence[Strategy]:
-    """The strategies that may lead to a formula."""
+    """Return the strategies that may lead to a formula."""
     return deriving(inner.query.kind, inner.mechanism)
 
 
 def _closed(inner: Setting) -> Sequence[Strategy]:
-    """The strategies that integrate nothing, the cheapest first."""
+    """Return the strategies that integrate nothing, the cheapest first."""
     return [held for held in closed(inner.query.kind, inner.mechanism) if not held.nested]

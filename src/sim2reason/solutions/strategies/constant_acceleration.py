@@ -43,7 +43,7 @@ class ConstantAcceleration(Strategy):
         return varying_acceleration(mechanism)
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         if unknown := no_goal(setting, MOMENTS):
             return unknown
         if "collision" in setting.story:
@@ -76,7 +76,7 @@ class _Staged(Way):
         ]
 
     def write(self) -> str:
-        """All stages that matter, then the goal."""
+        """Return all stages that matter, then the goal."""
         if self.target is None or self.goal is None:
             return self._whole_time().name
         found = self.goal.write(self.target, self).name
@@ -133,7 +133,7 @@ class _Staged(Way):
         return asked, f"N{asked[1:]}" if slides else asked
 
     def _goal_of(self, segment: Segment, *, last: bool) -> list[str]:
-        """The force that a stage must give."""
+        """Return the force that a stage must give."""
         found = self._force_in(segment)[1] if last or (self.goal is not None and self.goal.throughout) else ""
         return [found] if found else []
 
@@ -149,7 +149,7 @@ class _Staged(Way):
         return sorted({*self.asked_coordinates(), *self.moving(bodies), *slips})
 
     def _slipping(self, body: str) -> list[int]:
-        """The coordinates along which a body slides on its face."""
+        """Return the coordinates along which a body slides on its face."""
         return [self.mechanism.number[name] for name, _ in self.mechanism.contacts[body].slip]
 
     @cached_property
@@ -166,7 +166,7 @@ class _Staged(Way):
         return found
 
     def _pulls(self, segment: Segment) -> tuple[str, float]:
-        """The force that counts all the while, and how large it is."""
+        """Return the force that counts all the while, and how large it is."""
         if self.goal is None or not self.goal.throughout:
             return "", 0.0
         name = self._force_in(segment)[1]
@@ -202,7 +202,7 @@ class _Staged(Way):
         return found
 
     def _enough(self, stage: Stage) -> list[int]:
-        """The coordinates that the last stage needs."""
+        """Return the coordinates that the last stage needs."""
         moment = self.query.moment
         bodies = list(self.goal.bodies(self.target)) if self.goal is not None and self.target is not None else []
         timed = self.uses in ("v", "s") and isinstance(moment, Moved | Stopped)
@@ -241,7 +241,7 @@ class _Staged(Way):
         return End()
 
     def _slips_no_more(self, body: str, segment: Segment) -> End:
-        """When a body stops slipping on its face."""
+        """Return when a body stops slipping on its face."""
         slips = self._slipping(body)
         if len(slips) == 1:
             carried = Dynamics(self.setting, self.book, segment).carried
@@ -271,7 +271,7 @@ class _Staged(Way):
         return End(left)
 
     def _whole_time(self) -> Symbol:
-        """The sum of the times of all stages."""
+        """Return the sum of the times of all stages."""
         times = [stage.time for stage in self.stages]
         if len(times) == 1:
             return times[0]
@@ -279,7 +279,7 @@ class _Staged(Way):
         return self.book.told("time", "The total time is", self.book.fresh("t"), formula, SECONDS)
 
     def _stopping(self, now: Segment, after: Segment) -> End:
-        """Which contact stops slipping between two segments."""
+        """Return which contact stops slipping between two segments."""
         faces = [face for face in self.mechanism.faces if face.friction > 0.0]
         for face, side, later in zip(faces, now.found.mode.rubbing, after.found.mode.rubbing, strict=True):
             if side and later != side:

@@ -32,13 +32,13 @@ class Constraint(Strategy):
     kinds = frozenset({"start", "state", "event", "time_to_event", "sum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether accelerations change, or it does not begin at rest."""
+        """Return whether accelerations change, or it does not begin at rest."""
         if any(coordinate.speed for coordinate in mechanism.coordinates):
             return "it does not begin at rest"
         return varying_acceleration(mechanism)
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         target, moment = setting.target, setting.query.moment
         if not isinstance(moment, Moved) or target is None:
             return "no distance is stated"
@@ -55,7 +55,7 @@ class _Proportions(Way):
     """Displacements that laws without forces bind to each other."""
 
     def size(self, k: int) -> Expression:
-        """How far a coordinate comes, without a sign: from rest nothing turns back."""
+        """Return how far a coordinate comes, without a sign: from rest nothing turns back."""
         held = self.rate("s", k).expression()
         return held if self.book.value(held) >= 0.0 else -held
 
@@ -65,7 +65,7 @@ class _Proportions(Way):
         return WrittenDynamics(self.setting, self.book, self.setting.motion.segments[0])
 
     def write(self) -> str:
-        """The laws, then the goal."""
+        """Return the laws, then the goal."""
         assert self.target is not None
         assert self.goal is not None
         self.dynamics.reach([f"q{k}" for k in self.asked_coordinates()])
@@ -129,7 +129,7 @@ class _Course:
         raise UnsolvedError("no time without Newton's laws")
 
     def gain(self, k: int) -> Polynomial:
-        """Its displacement."""
+        """Return its displacement."""
         return self.way.rate("s", k)
 
     def gained(self, k: int) -> Polynomial:
@@ -137,5 +137,5 @@ class _Course:
         return self.way.rate("s", k)
 
     def path(self, k: int) -> Expression:
-        """Its displacement without a sign."""
+        """Return its displacement without a sign."""
         return self.way.size(k)

@@ -19,7 +19,7 @@ from sim2reason.solutions.algebra.fractions import over
 from sim2reason.solutions.algebra.functions import Power, Root, squares
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.goals import GOALS
-from sim2reason.solutions.oscillations.fastest_place import RestChecks, fastest_place, first_friction
+from sim2reason.solutions.oscillations.friction import RestChecks, fastest_place, first_friction
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion, fewest_free, nonlinear
 from sim2reason.solutions.oscillations.net_force import (
     collected,
@@ -62,14 +62,14 @@ class WorkAndEnergy(Strategy):
         return nonlinear(mechanism)
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         if greatest_target(setting) is None and (unknown := no_goal(setting, MOMENTS)):
             return unknown
         target = greatest_target(setting)
         return f"no way to the quantity {target.quantity}" if target and target.quantity not in GOALS else ""
 
     def write(self, setting: Setting, book: Book) -> str:
-        """The work, the kinetic energy, then what is asked."""
+        """Return the work, the kinetic energy, then what is asked."""
         return EnergyWay(setting, book).write().name
 
 
@@ -109,7 +109,7 @@ class EnergyWay(SingleWay):
         return isinstance(self.motion, LinearMotion) and bool(self.motion.friction(self._i))
 
     def write(self) -> Symbol:
-        """The time, or the goal."""
+        """Return the time, or the goal."""
         _ = self.name
         if self.target is None or self.goal is None:
             return self._time
@@ -185,7 +185,7 @@ class EnergyWay(SingleWay):
         return self.book.told("distance", "In this time it moves by", self.name, formula, METRES)
 
     def _turning(self) -> Symbol:
-        """Where all work has used up the kinetic energy of the start."""
+        """Return where all work has used up the kinetic energy of the start."""
         step, name = self.book.open("energy"), self.name
         first = self._kinetic(self._first)
         law = step.law(first + work(self.motion, name), ZERO)
@@ -274,7 +274,7 @@ class EnergyWay(SingleWay):
         return name
 
     def clock(self) -> Symbol:
-        """The time of the moment: given, or found."""
+        """Return the time of the moment: given, or found."""
         return self._lasting if isinstance(self.query.moment, AtTime) else self._time
 
     @cached_property

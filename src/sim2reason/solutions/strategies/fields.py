@@ -61,7 +61,7 @@ class FieldsStrategy(Strategy):
         return "the fields have an end" if any(force.region is not None for force in m.forces) else ""
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         return _unasked(setting)
 
     def write(self, setting: Setting, book: Book) -> str:
@@ -108,12 +108,12 @@ class _InFields(Way):
 
     @cached_property
     def moment(self) -> FieldMoment:
-        """When it is asked about, and where its speed or distance is extreme."""
+        """Return when it is asked about, and where its speed or distance is extreme."""
         return FieldMoment(self.setting, self.book, self.fields)
 
     @property
     def time(self) -> Symbol:
-        """When the moment is."""
+        """Return when the moment is."""
         return self.moment.time
 
     @property
@@ -132,7 +132,7 @@ class _InFields(Way):
         return measured_period(self.book, query, size, "The period of the circular motion is")
 
     def _summed(self, query: StretchQuery) -> Symbol:
-        """A work, or the change of momentum."""
+        """Return a work, or the change of momentum."""
         assert self.target is not None
         energy = FieldEnergy(self, self.moment)
         if query.functional == "work of an electric field":
@@ -156,7 +156,7 @@ class _InFields(Way):
         return self.fields.acceleration(axis, time, rate, moved)
 
     def rate(self, kind: str, k: int) -> Polynomial:
-        """A component of a displacement, velocity or acceleration."""
+        """Return a component of a displacement, velocity or acceleration."""
         axis = self.fields.coordinates.index(k)
         known = self._names.get((kind, axis))
         if known is None:
@@ -208,7 +208,7 @@ class _InFields(Way):
         return self.moment.turn if isinstance(self.query.moment, TURNED) else None
 
     def vector(self, kind: str, body: str) -> Components:
-        """Its size alone, where that is all that is asked for and is known without its components."""
+        """Return its size alone, where that is all that is asked for and is known without its components."""
         asked = self.target is not None and self.target.sense is None and self.query.kind != "sum"
         if asked and not isinstance(self.query.moment, AtStart):
             sizes = {"v": lambda: self.moment.speed, "a": lambda: self.moment.pull, "s": self._chord}
@@ -229,7 +229,7 @@ class _InFields(Way):
         return lambda axis: self.rate(kind, self.fields.coordinates[axis]).expression()
 
     def mass(self, body: str) -> Polynomial:
-        """The mass of the body."""
+        """Return the mass of the body."""
         del body
         return Polynomial.of(self.fields.mass)
 

@@ -34,11 +34,11 @@ class ForcesAtStart(Strategy):
         return "" if free else "every body is led, or pushed by something"
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """None where springs or attractions turn: each takes a root and two components."""
+        """Return None where springs or attractions turn: each takes a root and two components."""
         return frozenset[str]() if nonlinear(mechanism) else self.kinds
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         target = setting.query.target
         if not isinstance(setting.query.moment, AtStart) or target is None:
             return "it is not about the start"
@@ -47,7 +47,7 @@ class ForcesAtStart(Strategy):
         return _bound(setting.mechanism, target.subject)
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Each force, then their sum over the mass."""
+        """Return each force, then their sum over the mass."""
         way = _AtStart(setting, book)
         assert way.target is not None
         return GOALS[way.target.quantity].write(way.target, way).name
@@ -84,11 +84,11 @@ class _AtStart(Way):
         return Newton(self.setting.lexicon, self.setting.motion.segments[0])
 
     def mass(self, body: str) -> Polynomial:
-        """The mass of a body."""
+        """Return the mass of a body."""
         return self.setting.lexicon.of(lambda m: m.body[body].mass)
 
     def force(self, kind: str, name: str) -> Symbol:
-        """None by itself."""
+        """Return None by itself."""
         raise UnsolvedError(f"no {kind} of {name}")
 
     def rate(self, kind: str, k: int) -> Polynomial:
@@ -165,7 +165,7 @@ class _AtStart(Way):
         return found
 
     def _wanted(self) -> list[int]:
-        """The coordinates whose acceleration is asked for: one alone, if a component is."""
+        """Return the coordinates whose acceleration is asked for: one alone, if a component is."""
         target = self.target
         assert target is not None
         if target.sense is None or not any(target.sense.vector):
@@ -177,7 +177,7 @@ class _AtStart(Way):
         return lexicon.of(lambda m: -m.gravity[2]) * lexicon.of(lambda m: -m.coordinates[k].axis[2])
 
     def _springs(self) -> list[tuple[Expression, dict[int, Polynomial], Expression, bool]]:
-        """Each spring: its pull, from the body to its other end, its length."""
+        """Return each spring: its pull, from the body to its other end, its length."""
         m, lexicon = self.mechanism, self.setting.lexicon
         found: list[tuple[Expression, dict[int, Polynomial], Expression, bool]] = []
         for line in _held(m, self._body):
@@ -226,7 +226,7 @@ class _AtStart(Way):
         return name
 
     def _attractions(self) -> list[tuple[Expression, dict[int, Polynomial], Expression, bool]]:
-        """Each body that attracts: by how much it accelerates, towards it, its distance."""
+        """Return each body that attracts: by how much it accelerates, towards it, its distance."""
         m, lexicon = self.mechanism, self.setting.lexicon
         found: list[tuple[Expression, dict[int, Polynomial], Expression, bool]] = []
         pulls = [pull for pull in m.attractions if self._body in (pull.a, pull.b)]

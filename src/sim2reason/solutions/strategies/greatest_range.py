@@ -27,12 +27,12 @@ class GreatestRange(Strategy):
     kinds = frozenset({"optimum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether it is anything but one body in free fall in a vertical plane."""
+        """Return whether it is anything but one body in free fall in a vertical plane."""
         alone = len(mechanism.bodies) == 1 and len(mechanism.coordinates) == len(("x", "z"))
         return "" if alone and only_falls(mechanism) and not mechanism.meetings else "it is no body thrown in a plane"
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         query = setting.query
         if not isinstance(query, OptimumQuery) or setting.sought is None or not query.greatest:
             return "no greatest value is asked for"
@@ -42,7 +42,7 @@ class GreatestRange(Strategy):
         return "" if far and level and angle else "it is not about how far a body is thrown"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """The path through the place of landing, its derivative by the angle, and both equations solved."""
+        """Return the path through the place of landing, its derivative by the angle, and both equations solved."""
         query = setting.query
         assert isinstance(query, OptimumQuery)
         theta, lexicon = Symbol(lone_symbol(setting, query.path)), setting.lexicon
@@ -75,7 +75,7 @@ class GreatestRange(Strategy):
 
     @staticmethod
     def _farthest(setting: Setting, book: Book, way: Symbol, height: Expression) -> str:
-        """The greatest distance: along the ground, or straight from the starting point."""
+        """Return the greatest distance: along the ground, or straight from the starting point."""
         target = setting.query.target
         if target is not None and target.sense is not None:
             return way.name

@@ -16,7 +16,7 @@ from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.goals import Stretch
-from sim2reason.solutions.oscillations.fastest_place import RestChecks, swing_words
+from sim2reason.solutions.oscillations.friction import RestChecks, swing_words
 from sim2reason.solutions.oscillations.harmonic import Harmonic
 from sim2reason.solutions.oscillations.linear_motion import LinearMotion, fewest_free
 from sim2reason.solutions.oscillations.to_and_fro import Rubbing, tell_beyond, tell_rest_only_later, told_first_rest
@@ -88,7 +88,7 @@ class _Swinging(Oscillating):
         return LinearMotion(self.setting, segment, self.linear.free).counted_from(begin, at)
 
     def _swing(self, segment: Segment, name: Symbol, before: Harmonic | None) -> Harmonic:
-        """One swing, from `begin` on."""
+        """Return one swing, from `begin` on."""
         motion = self._motion(segment, self.begin)
         if len(motion.free) != 1:
             raise UnsolvedError("there are several modes")

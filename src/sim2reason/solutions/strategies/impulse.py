@@ -16,10 +16,7 @@ from sim2reason.questions.need import Need
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, ratio
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
-from sim2reason.solutions.collisions.legs import Impact, Leg
-from sim2reason.solutions.collisions.oblique import Flights, tell_side
-from sim2reason.solutions.collisions.order import CollisionOrder
-from sim2reason.solutions.collisions.tops import (
+from sim2reason.solutions.collisions.free_flight import (
     FlightPart,
     StruckBodies,
     at_top,
@@ -28,6 +25,9 @@ from sim2reason.solutions.collisions.tops import (
     tell_top,
     tell_uninvolved,
 )
+from sim2reason.solutions.collisions.legs import Impact, Leg
+from sim2reason.solutions.collisions.oblique import Flights, tell_side
+from sim2reason.solutions.collisions.order import CollisionOrder
 from sim2reason.solutions.goals import Stretch, Struck
 from sim2reason.solutions.laws.newton import Newton
 from sim2reason.solutions.laws.straight_way import Way
@@ -59,7 +59,7 @@ class Impulse(Strategy):
         return frozenset[str]() if oblique else self.kinds
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         if setting.query.kind == "extremum":
             return "" if at_top(setting) is not None else "it is no extreme value at the top of a path"
         return no_goal(setting, MOMENTS)
@@ -87,7 +87,7 @@ class _Struck(Way):
         return Newton(self.setting.lexicon, self.setting.motion.segments[0])
 
     def write(self) -> str:
-        """The time, or the goal."""
+        """Return the time, or the goal."""
         if not self.book.in_symbols and self.setting.most == Need.INTEGRATION:
             self._follow()
         if isinstance(self.query.moment, HighestPoint) and self.uses == "v":
@@ -149,7 +149,7 @@ class _Struck(Way):
 
     @cached_property
     def time(self) -> Symbol:
-        """When the moment comes."""
+        """Return when the moment comes."""
         moment = self.query.moment
         if self.impact is not None:
             return self.flights.when(self.impact)
@@ -194,7 +194,7 @@ class _Struck(Way):
         return self.flights.velocity(body, number, k, self.time if needs_time else None)
 
     def _after_distance(self, moment: Moved) -> Symbol:
-        """When a body has moved so far: within one flight."""
+        """Return when a body has moved so far: within one flight."""
         k, *_ = self.moving([moment.name])
         name = self.book.fresh("d")
         self.book.say_given(name.name, moment.value, METRES)
@@ -209,7 +209,7 @@ class _Struck(Way):
         return self._flown(leg.speeds[k], (before - target, target), k, said, leg)
 
     def _landing(self, body: str) -> Symbol:
-        """When a body that flies comes down to the ground, where its description ends."""
+        """Return when a body that flies comes down to the ground, where its description ends."""
         k = next(k for k in self.moving([body]) if self.mechanism.coordinates[k].lower > -inf)
         height = self.setting.lexicon.of(lambda m: -m.coordinates[k].lower)
         leg = self.flights.leg(body, self.flights.count(body, None))
@@ -217,7 +217,7 @@ class _Struck(Way):
         return self._flown(leg.speeds[k], (height, NIL), k, said, leg)
 
     def _at_distance(self, moment: Away) -> Symbol:
-        """When a body in a plane is so far from where it began: a root that is found numerically."""
+        """Return when a body in a plane is so far from where it began: a root that is found numerically."""
         body, number = moment.name, self.flights.count(moment.name, None)
         leg, name = self.flights.leg(body, number), self.book.fresh("d")
         self.book.say_given(name.name, moment.value, METRES)
@@ -246,7 +246,7 @@ class _Struck(Way):
         return self.flights.counted(self.flights.begins(leg), time)
 
     def _straight(self, speeds: list[Polynomial], distance: Symbol, body: str) -> Symbol:
-        """The time for a distance at a constant velocity."""
+        """Return the time for a distance at a constant velocity."""
         squares: Expression = ZERO
         for speed in speeds:
             squares = added(squares, Power(speed.expression(), 2))
@@ -258,7 +258,7 @@ class _Struck(Way):
         return time
 
     def _turning(self, body: str) -> Symbol:
-        """When the rate along which a body rises or falls is zero."""
+        """Return when the rate along which a body rises or falls is zero."""
         found = [k for k in self.moving([body]) if self.flights.acceleration(k)]
         if len(found) != 1:
             raise UnsolvedError("nothing turns it back")

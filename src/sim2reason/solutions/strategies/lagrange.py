@@ -35,7 +35,7 @@ class Lagrange(Strategy):
     kinds = frozenset({"start", "state", "event", "time_to_event"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether something may collide, or its equations are not linear."""
+        """Return whether something may collide, or its equations are not linear."""
         return "something may collide" if mechanism.meetings else nonlinear(mechanism)
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
@@ -43,13 +43,13 @@ class Lagrange(Strategy):
         return frozenset({"start"}) if _springy(mechanism) else self.kinds
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         if _springy(setting.mechanism) and not isinstance(setting.query.moment, AtStart):
             return "accelerations change as it moves"
         return no_goal(setting, MOMENTS)
 
     def write(self, setting: Setting, book: Book) -> str:
-        """The equations, the accelerations, then what is asked."""
+        """Return the equations, the accelerations, then what is asked."""
         way = _Together(setting, book)
         if way.target is None or way.goal is None:
             return way.time.name
@@ -152,7 +152,7 @@ class _Together(LinearWay):
         return self._told("s", i, formula, METRES, "The displacement is then")
 
     def speed(self, i: int) -> Polynomial:
-        """A t and what it had."""
+        """Return a t and what it had."""
         first = self.first(i)
         if isinstance(self.query.moment, AtStart):
             return first
@@ -161,5 +161,5 @@ class _Together(LinearWay):
         return self._told("v", i, formula, SPEED, "The velocity is then")
 
     def acceleration(self, i: int) -> Polynomial:
-        """The same all the while."""
+        """Return the same all the while."""
         return Polynomial.of(self._accelerations[i])

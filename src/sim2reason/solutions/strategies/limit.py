@@ -25,7 +25,7 @@ class Limit(Strategy):
         return self.kinds if any(deriving(kind, mechanism) for kind in LimitKind.inner) else frozenset()
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         if not isinstance(setting.query, LimitQuery):
             return "no limit is asked for"
         inner = inner_setting(setting)

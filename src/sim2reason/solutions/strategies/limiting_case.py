@@ -32,14 +32,14 @@ class LimitingCase(Strategy):
     kinds = frozenset({"threshold"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether nothing that is let go could slip, or be lifted."""
+        """Return whether nothing that is let go could slip, or be lifted."""
         lifted = mechanism.lines or mechanism.forces
         if any(c.speed for c in mechanism.coordinates) or not (lifted or any(f.friction for f in mechanism.faces)):
             return "nothing is let go that could stay at rest"
         return varying_acceleration(mechanism)
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         query = setting.query
         if not isinstance(query, ThresholdQuery) or not isinstance(query.outcome, Slides | Rises):
             return "the outcome does not show at once"
@@ -91,7 +91,7 @@ class LimitingCase(Strategy):
 
 
 def _moving(setting: Setting, query: ThresholdQuery) -> Segment:
-    """The start of the motion next to the limit, on the side where it comes about."""
+    """Return the start of the motion next to the limit, on the side where it comes about."""
     trial, limit = query.trial(setting.study), float(setting.scene.value(query.parameter))
     for side in (1.0 + ASIDE, 1.0 - ASIDE):
         if trial(limit * side):
@@ -101,7 +101,7 @@ def _moving(setting: Setting, query: ThresholdQuery) -> Segment:
 
 
 def _rate(dynamics: WrittenDynamics, name: str, *, slides: bool) -> dict[int, Polynomial]:
-    """The acceleration that is zero, by coordinate: of a slip on a face, or of a body along its line."""
+    """Return the acceleration that is zero, by coordinate: of a slip on a face, or of a body along its line."""
     if slides:
         face = next(n for n, held in enumerate(dynamics.mechanism.faces) if held.subject == name)
         found = dynamics.newton.slip(face)

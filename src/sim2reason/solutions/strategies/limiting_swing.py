@@ -34,19 +34,19 @@ class LimitingSwing(Strategy):
     kinds = frozenset({"threshold"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether nothing swings by itself."""
+        """Return whether nothing swings by itself."""
         swings = pivot(mechanism) is not None or lone_axle(mechanism)
         return "" if swings else "nothing swings about a fixed point by itself"
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         query = setting.query
         if not isinstance(query, ThresholdQuery) or not isinstance(query.outcome, GoesRound | GoesSlack):
             return "it is not about going round or slack"
         return "" if setting.sought is not None else "there is no such value"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """What is left of the energy in the limiting case, which is nothing; then the number."""
+        """Return what is left of the energy in the limiting case, which is nothing; then the number."""
         left = _of_body(setting, book) if pivot(setting.mechanism) is not None else _of_axle(setting, book)
         step = book.open("limit")
         step.say(f"In the limiting case, {step.law(left, ZERO)}.")
@@ -80,7 +80,7 @@ def _varied(setting: Setting, book: Book) -> str:
 
 
 def _grows(book: Book, name: Symbol, varied: str) -> bool:
-    """Whether what was told last increases with a number."""
+    """Return whether what was told last increases with a number."""
     values = {**book.values, varied: book.values[varied] * (1.0 + STEP)}
     for step in book.steps:
         for held in step.relations:

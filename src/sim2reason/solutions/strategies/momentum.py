@@ -29,7 +29,7 @@ class MomentumKept(WorkAndEnergy):
         return "a single body moves" if alone else super().unfit(mechanism)
 
     def write(self, setting: Setting, book: Book) -> str:
-        """The reduced mass, the work, what momentum says, then what is asked."""
+        """Return the reduced mass, the work, what momentum says, then what is asked."""
         return _Pair(setting, book).write().name
 
 

@@ -57,7 +57,7 @@ class SeveralModes(Strategy):
         return STRATEGIES["oscillation"].refusal(setting)
 
     def write(self, setting: Setting, book: Book) -> str:
-        """The modes, what is excited, the moment."""
+        """Return the modes, what is excited, the moment."""
         return _Modal(setting, book).write().name
 
 
@@ -137,7 +137,7 @@ class _Modal(LinearWay):
 
     @cached_property
     def _time(self) -> Symbol:
-        """When it is: given, or the root of what the moment says."""
+        """Return when it is: given, or the root of what the moment says."""
         moment, name = self.query.moment, self.book.fresh("t")
         if isinstance(moment, AtTime) and not self.greatest:
             self.book.say_given(name.name, moment.after, SECONDS)
@@ -230,7 +230,7 @@ class _Modal(LinearWay):
     # ---- what goals ask
 
     def clock(self) -> Symbol:
-        """The time of the moment."""
+        """Return the time of the moment."""
         return self._time
 
     @property

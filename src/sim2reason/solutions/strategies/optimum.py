@@ -43,7 +43,7 @@ class Optimum(Strategy):
         return self.kinds if any(deriving(kind, mechanism) for kind in OptimumKind.inner) else frozenset()
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         query = setting.query
         if not isinstance(query, OptimumQuery) or setting.sought is None:
             return "there is no such value"
@@ -52,7 +52,7 @@ class Optimum(Strategy):
         return "" if offered else f"no formula for the kind {inner.query.kind}"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """The formula, its derivative, the number, and the extreme value where that is asked for."""
+        """Return the formula, its derivative, the number, and the extreme value where that is asked for."""
         query = setting.query
         assert isinstance(query, OptimumQuery)
         symbol, inner = lone_symbol(setting, query.path), inner_setting(setting)
@@ -116,7 +116,7 @@ def _core(held: Expression, symbol: str) -> tuple[Expression, bool]:
 
 
 def _numerator(slope: Expression) -> Expression:
-    """What of a derivative vanishes; UnsolvedError if it is too long."""
+    """Return what of a derivative vanishes; UnsolvedError if it is too long."""
     try:
         found = shortened(fraction(slope).above.factored()).expression
     except (OverflowError, ClosedFormError) as error:

@@ -48,7 +48,7 @@ class Orbit(Strategy):
         return "" if _by_itself(mechanism) else "no light body goes round a fixed one by itself"
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         query = setting.query
         if isinstance(query, PeriodQuery):
             return "" if query.measure == "period" and not query.small else "no orbital period is asked for"
@@ -61,7 +61,7 @@ class Orbit(Strategy):
         return "" if quantity in ("", *QUANTITIES) else f"no way to the quantity {quantity}"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """The orbit, the place on it, and what is asked."""
+        """Return the orbit, the place on it, and what is asked."""
         return _OnOrbit(setting, book).write().name
 
 
@@ -116,7 +116,7 @@ class _OnOrbit(Way):
     # ---- orbits and places
 
     def orbit(self, body: str) -> KeplerOrbit:
-        """The orbit of a body."""
+        """Return the orbit of a body."""
         if body not in self._orbits:
             pull = next(p for p in self.mechanism.attractions if body in (p.a, p.b))
             alone = sum(bool(held.coordinates) for held in self.mechanism.bodies) == 1
@@ -132,7 +132,7 @@ class _OnOrbit(Way):
         return self._moving(moment.name)
 
     def place(self, body: str) -> OrbitPlace:
-        """Where a body is at the moment."""
+        """Return where a body is at the moment."""
         if body not in self._places:
             by_time = isinstance(self.query.moment, AtTime) or self._mover != body
             orbit = self.orbit(body)
@@ -141,7 +141,7 @@ class _OnOrbit(Way):
 
     @cached_property
     def _there(self) -> OrbitPlace:
-        """Where the body is whose motion says when the moment is."""
+        """Return where the body is whose motion says when the moment is."""
         moment, orbit = self.query.moment, self.orbit(self._mover)
         if isinstance(moment, Away):
             distance = self.book.fresh("d")
@@ -161,7 +161,7 @@ class _OnOrbit(Way):
 
     @cached_property
     def time(self) -> Symbol:
-        """When the moment is."""
+        """Return when the moment is."""
         moment = self.query.moment
         if isinstance(moment, AtTime):
             name = self.book.fresh("t")
@@ -216,7 +216,7 @@ class _OnOrbit(Way):
         raise UnsolvedError(f"no {kind} of {name}")
 
     def rate(self, kind: str, k: int) -> Polynomial:
-        """A component of a displacement, velocity or acceleration."""
+        """Return a component of a displacement, velocity or acceleration."""
         body = self.mechanism.coordinates[k].body
         if not self.mechanism.body[body].coordinates:
             return NIL

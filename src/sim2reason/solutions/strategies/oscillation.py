@@ -51,7 +51,7 @@ class Oscillation(Strategy):
         return not_driven_back(mechanism) or ("there are several modes" if fewest_free(mechanism) > PAIR else "")
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         query = setting.query
         if isinstance(query, StretchQuery) and query.kind == "sum" and query.functional not in SUMS:
             return f"no way to the {query.functional}"
@@ -59,7 +59,7 @@ class Oscillation(Strategy):
         return f"no way to the quantity {target.quantity}" if target and target.quantity not in GOALS else ""
 
     def write(self, setting: Setting, book: Book) -> str:
-        """The place of balance and the angular frequency, then the moment."""
+        """Return the place of balance and the angular frequency, then the moment."""
         way = Oscillating(setting, book)
         return (_Pair(setting, book) if len(way.linear.free) == 2 else way).write().name
 
@@ -139,7 +139,7 @@ class Oscillating(SingleWay):
         return self._when - self.started
 
     def since(self, time: Symbol) -> Symbol:
-        """The same of a time since the start; by default it began then."""
+        """Return the same of a time since the start; by default it began then."""
         return time
 
     def until(self, time: Symbol) -> Symbol:
@@ -154,12 +154,12 @@ class Oscillating(SingleWay):
         return name
 
     def clock(self) -> Symbol:
-        """The time of the moment."""
+        """Return the time of the moment."""
         return self._given_time if self._timed else self._time
 
     @cached_property
     def _time(self) -> Symbol:
-        """When the moment comes."""
+        """Return when the moment comes."""
         return self.until(self.time_since())
 
     def time_since(self) -> Symbol:
@@ -218,7 +218,7 @@ class Oscillating(SingleWay):
         return held.rest
 
     def _relaxed(self, spring: str) -> Expression:
-        """Where a spring has its natural length."""
+        """Return where a spring has its natural length."""
         formula = self.relaxed_place(spring) - self.begin
         if formula == ZERO:
             return ZERO

@@ -45,7 +45,7 @@ class PlaneSprings(Strategy):
     least_need = Need.ROOT
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether something else than springs holds it."""
+        """Return whether something else than springs holds it."""
         return "" if _held_in_a_plane(mechanism) else "no lone body is held by springs in a plane"
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
@@ -54,7 +54,7 @@ class PlaneSprings(Strategy):
         return frozenset()
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         query, target = setting.query, setting.target
         if isinstance(query, PeriodQuery):
             return "" if query.small and query.modes == PLANE else "no way to motions that are not small"
@@ -62,7 +62,7 @@ class PlaneSprings(Strategy):
         return "" if known else f"no way to the quantity {target.quantity if target is not None else ''}"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """The place where all forces balance, then what is asked."""
+        """Return the place where all forces balance, then what is asked."""
         way = _Held(setting, book)
         if isinstance(setting.query, PeriodQuery):
             return way.oscillate(setting.query).name
@@ -79,7 +79,7 @@ def _held_in_a_plane(m: Mechanism) -> bool:
 
 
 def _nail(m: Mechanism, line: Line) -> str:
-    """The fixed end of a spring; empty if it has none."""
+    """Return the fixed end of a spring; empty if it has none."""
     return next((site for site in line.through if m.site[site].body is None), "") if len(line.through) == PLANE else ""
 
 
@@ -103,11 +103,11 @@ class _Held(Way):
         return Newton(self.setting.lexicon, self.setting.motion.segments[0])
 
     def force(self, kind: str, name: str) -> Symbol:
-        """None but those of springs."""
+        """Return None but those of springs."""
         raise UnsolvedError(f"no {kind} of {name}")
 
     def rate(self, kind: str, k: int) -> Polynomial:
-        """How far from its start it is in equilibrium."""
+        """Return how far from its start it is in equilibrium."""
         return Polynomial.of(self.place[k]) - self._places[k][0] if kind == "s" else NIL
 
     def spring(self, what: str, line: str) -> Polynomial:
@@ -168,7 +168,7 @@ class _Held(Way):
 
     @cached_property
     def place(self) -> tuple[Symbol, Symbol]:
-        """Where it is: both balances of forces, solved for X and Y."""
+        """Return where it is: both balances of forces, solved for X and Y."""
         names = self.book.fresh("X"), self.book.fresh("Y")
         step, who = self.book.open("balance"), self.setting.called(self.mechanism.bodies[0].name)
         lengths = {held.length: Root(_square(held, names)) for held in self.springs}
@@ -206,7 +206,7 @@ class _Held(Way):
     # ---- small oscillations
 
     def oscillate(self, query: PeriodQuery) -> Symbol:
-        """The two directions in which the force points straight back, and how stiff the wanted one is."""
+        """Return the two directions in which the force points straight back, and how stiff the wanted one is."""
         turn = self._direction(query.rank)
         step, stiff, whole = self.book.open("stiffness"), self.book.fresh(r"\kappa"), ZERO
         for held in self.springs:
@@ -267,7 +267,7 @@ def _square(held: _Spring, place: tuple[Symbol, Symbol]) -> Expression:
 
 
 def _without(formula: Expression, lengths: Mapping[Symbol, Expression]) -> Expression:
-    """A formula with what lengths are in place of their names."""
+    """Return a formula with what lengths are in place of their names."""
     for name, length in lengths.items():
         formula = put(formula, name.name, length)
     return formula

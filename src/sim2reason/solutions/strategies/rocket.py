@@ -44,7 +44,7 @@ class RocketFlight(Strategy):
         return frozenset[str]() if mechanism.attractions else self.kinds
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         m = setting.mechanism
         if isinstance(setting.query, StretchQuery):
             found = m.attractions or not any(m.gravity) or not _tops(setting)
@@ -56,7 +56,7 @@ class RocketFlight(Strategy):
         return ""
 
     def write(self, setting: Setting, book: Book) -> str:
-        """The mass that is left, then what is asked."""
+        """Return the mass that is left, then what is asked."""
         return _Burning(setting, book).write()
 
 
@@ -64,7 +64,7 @@ class _Burning(Burning):
     """A rocket whose engine is on, or was, from which goals are answered."""
 
     def write(self) -> str:
-        """The time, the height of the highest point, or the goal."""
+        """Return the time, the height of the highest point, or the goal."""
         if isinstance(self.query, StretchQuery):
             return self._s.name
         if self.mechanism.attractions and self.uses in ("v", "s") and self.target is not None:
@@ -81,7 +81,7 @@ class _Burning(Burning):
 
     @cached_property
     def time(self) -> Symbol:
-        """When the moment comes."""
+        """Return when the moment comes."""
         moment = self.query.moment
         if isinstance(moment, BurnedOut):
             return self.burned
@@ -98,7 +98,7 @@ class _Burning(Burning):
 
     @cached_property
     def _stopping(self) -> Symbol:
-        """When gravity has taken all the speed that burning gave."""
+        """Return when gravity has taken all the speed that burning gave."""
         name, step = self.book.fresh("t"), self.book.open("time")
         g, given = self.gravity.expression(), self.exhaust * Call("ln", ratio(self.full, self.dry))
         risen = self._risen(name)
@@ -196,7 +196,7 @@ class _Burning(Burning):
     # ---- the motion
 
     def _path(self, left: Expression, time: Expression) -> Expression:
-        """Its distance: u t − (u m/µ) ln(m₀/m) − ½ g t²."""
+        """Return its distance: u t − (u m/µ) ln(m₀/m) − ½ g t²."""
         u, log = self.exhaust, Call("ln", ratio(self.full, left))
         path = added(multiplied(u, time), -multiplied(ratio(multiplied(u, left), self.rate_of_burning), log))
         fall = self.gravity.scaled(-0.5).expression()

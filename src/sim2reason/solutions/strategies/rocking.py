@@ -42,7 +42,7 @@ class Rocking(Strategy):
     kinds = frozenset({"start", "period"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether no lone body rocks."""
+        """Return whether no lone body rocks."""
         m = mechanism
         other = m.lines or m.forces or m.attractions or m.burns or m.meetings or m.feet
         kinds = sorted(c.kind for c in m.coordinates)
@@ -53,7 +53,7 @@ class Rocking(Strategy):
         return ""
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         query = setting.query
         if isinstance(query, PeriodQuery):
             return "" if query.small else "only integration gives the period of large swings"
@@ -62,7 +62,7 @@ class Rocking(Strategy):
         return "" if query.target.quantity in QUANTITIES else f"no way to the quantity {query.target.quantity}"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Where the centre of mass is, the moment of inertia about the contact, and what is asked."""
+        """Return where the centre of mass is, the moment of inertia about the contact, and what is asked."""
         return _Rocking(setting, book).write().name
 
 
@@ -94,7 +94,7 @@ class _Rocking:
 
     @cached_property
     def _spread(self) -> tuple[Expression, Expression]:
-        """How far the centre of mass is from the axis, and the moment of inertia about it over the mass."""
+        """Return how far the centre of mass is from the axis, and the moment of inertia about it over the mass."""
         held, shape = self.setting.mechanism.bodies[0], self.setting.scene.bodies.get(self.body)
         spread = mass_spread(shape, self._size) if isinstance(shape, Shape) else None
         if spread is None:
@@ -238,5 +238,5 @@ class _Rocking:
 
 
 def _slide(m: Mechanism) -> tuple[float, float, float]:
-    """The direction in which it rolls, uphill or to the right."""
+    """Return the direction in which it rolls, uphill or to the right."""
     return next(c.axis for c in m.coordinates if c.kind == "slide")

@@ -45,12 +45,12 @@ class SlackSwing(Strategy):
     kinds = Strategy.kinds | {"extremum", "sum"}
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether no small body hangs by a string."""
+        """Return whether no small body hangs by a string."""
         found = pivot(mechanism)
         return "" if found is not None and found[1] is not None else "no small body swings on a string"
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         quantity, query = quantity_of(setting), setting.query
         if quantity and quantity not in _Slack.WAYS:
             return f"no way to the {quantity}"
@@ -90,7 +90,7 @@ class _Slack:
 
     @cached_property
     def flies(self) -> bool:
-        """Whether the string is slack in the last phase."""
+        """Return whether the string is slack in the last phase."""
         return self._passed[-1].kind == "slack" if self._passed else self.chain.slack_at_once
 
     @cached_property
@@ -176,7 +176,7 @@ class _Slack:
     # ---- what is asked
 
     def write(self) -> Symbol:
-        """What is asked for, by its quantity."""
+        """Return what is asked for, by its quantity."""
         if not self.quantity:
             return self._when()
         sense = self.setting.query.target.sense if self.setting.query.target is not None else None
@@ -217,7 +217,7 @@ class _Slack:
 
     @property
     def extreme(self) -> bool:
-        """Whether the greatest value is asked for."""
+        """Return whether the greatest value is asked for."""
         return isinstance(self.setting.query, StretchQuery) and self.setting.query.functional in EXTREMES
 
     @cached_property

@@ -45,7 +45,7 @@ class SpringLine(Strategy):
         return "" if rest and lone_spring(mechanism) else "no lone body is let go on a single spring"
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         query = setting.query
         if _reaches_its_end(setting):
             return "it passes through the fixed end of the spring"
@@ -59,7 +59,7 @@ class SpringLine(Strategy):
         return "" if quantity in ("", *_Oscillating.WAYS) else f"no way to the quantity {quantity}"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """The amplitude and the angular frequency, the phase, and what is asked."""
+        """Return the amplitude and the angular frequency, the phase, and what is asked."""
         return _Oscillating(setting, book).write().name
 
 
@@ -122,7 +122,7 @@ class _Oscillating(LoneSpring):
         return TWO * PI if isinstance(moment, MostStretched) == stretched else PI
 
     def _trig(self, function: str) -> Expression:
-        """The cosine or the sine of the phase, as a number where it is one."""
+        """Return the cosine or the sine of the phase, as a number where it is one."""
         plain = {HALF * PI: (ZERO, ONE), PI: (Number(-1.0), ZERO), TWO * PI: (ONE, ZERO)}.get(self.phase)
         if plain is not None:
             return plain[0] if function == "cos" else plain[1]
@@ -143,7 +143,7 @@ class _Oscillating(LoneSpring):
         return self.answer(self.WAYS[query.target.quantity], self._turned)
 
     def _turned(self, formula: Expression) -> Expression:
-        """Its component that is asked for, or its size."""
+        """Return its component that is asked for, or its size."""
         target = self.setting.query.target
         sense = target.sense if target is not None else None
         if sense is not None and any(sense.vector):
@@ -151,7 +151,7 @@ class _Oscillating(LoneSpring):
         return formula if self.book.value(formula) >= 0.0 else -formula
 
     def _along(self, way: tuple[float, float, float]) -> Expression:
-        """The component of the direction from the fixed end to the body."""
+        """Return the component of the direction from the fixed end to the body."""
         for number, coordinate in enumerate(self.setting.mechanism.coordinates):
             part = sum(a * b for a, b in zip(coordinate.axis, way, strict=True))
             if abs(abs(part) - 1.0) < 1e-9:

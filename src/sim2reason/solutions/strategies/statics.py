@@ -33,14 +33,14 @@ class Statics(Strategy):
         return nonlinear(mechanism)
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         target = setting.target
         if target is None or target.quantity not in GOALS:
             return f"no way to the quantity {target.quantity if target is not None else ''}"
         return ""
 
     def write(self, setting: Setting, book: Book) -> str:
-        """The balance of forces, then the goal."""
+        """Return the balance of forces, then the goal."""
         way = _AtRest(setting, book)
         way.balance()
         assert way.target is not None
@@ -64,7 +64,7 @@ class _AtRest(LinearWay):
 
     @cached_property
     def _places(self) -> Mapping[int, Symbol]:
-        """Where the free coordinates are in equilibrium."""
+        """Return where the free coordinates are in equilibrium."""
         free, motion = self.motion.free, self.motion
         names = {i: self.book.fresh("x", self._mark(i)) for i in free}
         self.introduce(names)
@@ -101,7 +101,7 @@ class _AtRest(LinearWay):
         return self.setting.mark(self.mechanism.coordinates[i].body) if len(self.motion.free) > 1 else ""
 
     def place(self, i: int) -> Polynomial:
-        """Where it rests."""
+        """Return where it rests."""
         return Polynomial.of(self._places[i])
 
     def speed(self, i: int) -> Polynomial:

@@ -11,8 +11,8 @@ from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.swings.angle import Way
 from sim2reason.solutions.swings.asked import BOTH, Ends, unasked
 from sim2reason.solutions.swings.pendulum import pivot
+from sim2reason.solutions.swings.rigid_bodies import swept
 from sim2reason.solutions.swings.state import SwingState
-from sim2reason.solutions.swings.total_angle import swept
 from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import Book
 
@@ -26,17 +26,17 @@ class Swing(Strategy):
     kinds = Strategy.kinds | {"extremum", "sum"}
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Whether no small body swings."""
+        """Return whether no small body swings."""
         return "it is no small body that swings about a fixed point" if pivot(mechanism) is None else ""
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         if unknown := unasked(setting, _Angular.WAYS):
             return unknown
         return "it leaves its circle" if setting.story & {"slack", "taut"} else ""
 
     def write(self, setting: Setting, book: Book) -> str:
-        """The angle, the speed, and what is asked."""
+        """Return the angle, the speed, and what is asked."""
         return _Angular(setting, book).write().name
 
 

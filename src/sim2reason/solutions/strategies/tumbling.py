@@ -48,7 +48,7 @@ class Tumbling(Strategy):
         return "" if alone and mechanism.feet else "no lone prism tumbles"
 
     def refusal(self, setting: Setting) -> str:
-        """Why it does not apply."""
+        """Return why it does not apply."""
         query, quantity = setting.query, quantity_of(setting)
         if quantity and quantity not in _Tumbling.WAYS:
             return f"no way to the {quantity}"

@@ -65,7 +65,7 @@ class SwingAngle(ABC):
 
     @cached_property
     def extreme(self) -> str:
-        """Where a quantity is extreme, if that is asked: fastest or slowest; else empty."""
+        """Return where a quantity is extreme, if that is asked: fastest or slowest; else empty."""
         query = self.setting.query
         if not isinstance(query, StretchQuery) or query.functional not in EXTREMES:
             return ""

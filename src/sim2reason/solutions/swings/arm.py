@@ -133,7 +133,7 @@ class Arm:
         return self._pieces[body]
 
     def _size(self, body: str) -> Callable[[str], Expression]:
-        """The symbols of the parameters of a body."""
+        """Return the symbols of the parameters of a body."""
 
         def size(field: str) -> Expression:
             given = self.setting.given(f"{body}.{field}")
@@ -188,7 +188,7 @@ class Arm:
         return f"Along the arm, from the axle and positive on the side of {first}, the centre of mass of {whose} is at"
 
     def _own(self, body: str, mass: Expression) -> Expression:
-        """The moment of inertia about a line through its centre of mass along the axle."""
+        """Return the moment of inertia about a line through its centre of mass along the axle."""
         held = self.setting.mechanism.body[body]
         actual = float(product(self.axis, applied(held.inertia, self.axis)))
         if actual <= 0.0:

@@ -99,11 +99,11 @@ class Carriage:
         return {"to the right": "clockwise", "to the left": "anticlockwise"}.get(self.way, "downward")
 
     def read(self, number: Callable[[Mechanism], float]) -> Expression:
-        """A number of the mechanism."""
+        """Return a number of the mechanism."""
         return self.setting.lexicon.of(number).expression()
 
     def mass(self, body: str) -> Expression:
-        """The mass of a body."""
+        """Return the mass of a body."""
         return self.read(lambda m: m.body[body].mass)
 
     @cached_property

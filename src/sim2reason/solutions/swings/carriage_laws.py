@@ -92,7 +92,7 @@ class CarriageLaws(CarriageAngle):
         )
 
     def _kept(self, turns: Symbol, runs: Symbol) -> tuple[tuple[Expression, Expression], Expression]:
-        """Both sides of the conservation of momentum, and the kinetic energy."""
+        """Return both sides of the conservation of momentum, and the kinetic energy."""
         c, along = self.carriage, turns * self.cosine
         if self.lone:
             ahead = self.length * along - runs

@@ -45,7 +45,7 @@ class Part:
 
 
 def of(share: float, length: Expression) -> Expression:
-    """A part of a square."""
+    """Return a part of a square."""
     return Number(share) * Power(length, 2)
 
 
@@ -64,7 +64,7 @@ def _ball(radius: Expression) -> MassSpread:
 
 
 def _less(power: int, outer: Expression, inner: Expression) -> tuple[Expression, Expression]:
-    """The shares of a whole figure and of its hole, by their volumes."""
+    """Return the shares of a whole figure and of its hole, by their volumes."""
     rest = Power(outer, power) - Power(inner, power)
     return Power(outer, power) / rest, -(Power(inner, power) / rest)
 
@@ -78,7 +78,7 @@ def _hollow(size: Sizes) -> MassSpread:
 
 
 def _segment(radius: Expression, height: Expression) -> tuple[MassSpread, Expression]:
-    """A solid cap above its flat face, and the height of its centre of mass."""
+    """Return a solid cap above its flat face, and the height of its centre of mass."""
     r, h = radius, height
     below = 3.0 * r - h
     center = h * (4.0 * r - h) / (4.0 * below)
@@ -139,7 +139,7 @@ def _bored(size: Sizes) -> MassSpread:
 
 
 def _prism(size: Sizes, sides: int, long: Expression) -> MassSpread:
-    """A regular prism; the numbers of triangles, squares and hexagons are simple."""
+    """Return a regular prism; the numbers of triangles, squares and hexagons are simple."""
     radius, turn = size("radius"), 2.0 * PI / Number(float(sides))
     plain = (2.0 + cos(2.0 * pi / sides)) / 12.0
     square = Number(1.0 / 12.0) * (Number(2.0) + Call("cos", turn)) * Power(radius, 2)
@@ -182,7 +182,7 @@ TABLE: dict[str, Callable[[Sizes], MassSpread]] = {
 
 
 def mass_spread(shape: Shape, size: Sizes) -> MassSpread | None:
-    """What the table has for a body; None if it is not in it."""
+    """Return what the table has for a body; None if it is not in it."""
     name = type(shape).__name__
     if name in ("PolygonalPrism", "LongPrism"):
         long = of(1.0 / 12.0, size("height")) if name == "PolygonalPrism" else ZERO
@@ -192,7 +192,7 @@ def mass_spread(shape: Shape, size: Sizes) -> MassSpread | None:
 
 
 def candidates(spread: MassSpread) -> list[Expression]:
-    """The moment of inertia over the mass about each of its own axes, and across it."""
+    """Return the moment of inertia over the mass about each of its own axes, and across it."""
     x, y, z = spread.xx, spread.yy_or_xx, spread.zz
     across = spread.square
     return [across or _collected(x + z), _collected(x + y), across or _collected(y + z)]
@@ -213,7 +213,7 @@ def tilted(spread: MassSpread, angle: Expression) -> tuple[Expression, str]:
 
 
 def _collected(held: Expression) -> Expression:
-    """A sum in which terms that differ by a number alone are one."""
+    """Return a sum in which terms that differ by a number alone are one."""
     parts: dict[Expression, float] = {}
     for term in held.terms if isinstance(held, Sum) else (held,):
         factors = term.factors if isinstance(term, Product) else (term,)

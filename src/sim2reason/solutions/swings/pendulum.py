@@ -8,7 +8,7 @@ from sim2reason.dsl.vectors import minus
 
 
 def pivot(m: Mechanism) -> tuple[str, str | None, tuple[float, float, float]] | None:
-    """The body that swings, the line that holds it (None: a hinge), and the point about which."""
+    """Return the body that swings, the line that holds it (None: a hinge), and the point about which."""
     heavy = [body for body in m.bodies if body.mass]
     if len(heavy) != 1 or any(heavy[0].inertia) or m.faces or m.forces or m.attractions or m.burns or m.feet:
         return None
@@ -36,7 +36,7 @@ def place(m: Mechanism) -> tuple[float, float, float]:
 
 
 def geometry(m: Mechanism) -> tuple[float, float, float]:
-    """The length, the angle with the downward vertical at the start, and the speed then."""
+    """Return the length, the angle with the downward vertical at the start, and the speed then."""
     apart = place(m)
     length = hypot(*apart)
     if len(m.coordinates) == 1:

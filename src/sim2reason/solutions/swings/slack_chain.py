@@ -48,24 +48,24 @@ class SlackChain:
 
     @cached_property
     def changes(self) -> list[Event]:
-        """Where the string goes slack or taut, up to the moment."""
+        """Return where the string goes slack or taut, up to the moment."""
         limit = self.setting.time * (1.0 + AT_ONCE)
         return [e for e in self.setting.motion.events if e.kind in ("slack", "taut") and 0.0 < e.time <= limit]
 
     @cached_property
     def slack_at_once(self) -> bool:
-        """Whether the string pulls at no time at the start: above the fixed point, and slow."""
+        """Return whether the string pulls at no time at the start: above the fixed point, and slow."""
         held = self.swing
         g, ell, v = (self.book.value(part) for part in (self.gravity, self.length, held.launch))
         return v**2 + g * ell * cos(held.began) < 0.0
 
     def _side(self) -> float:
-        """The sign of the engine's x on the side on which the string first goes slack, 1 if it never does."""
+        """Return the sign of the engine's x on the side on which the string first goes slack, 1 if it never does."""
         slack = [event.time for event in self.changes if event.kind == "slack"]
         return 1.0 if self._seen(slack[0] if slack and not self.slack_at_once else 0.0)[0] >= 0.0 else -1.0
 
     def _seen(self, time: float) -> tuple[float, float, float]:
-        """The engine's place along x from the fixed point and its velocity at a time, for signs alone."""
+        """Return the engine's place along x from the fixed point and its velocity at a time, for signs alone."""
         m = self.setting.mechanism
         state = self.setting.study.trace.sample(np.array([time]))
         center, number = state.frames.center(self.swing.body), m.line[self.swing.line or ""].through
@@ -74,7 +74,7 @@ class SlackChain:
         return x - fixed[0], vx, vz
 
     def sign(self, time: float, of: int) -> float:
-        """The sign of what the engine has at a time: 0 for x, 1 and 2 for the velocity along x and y."""
+        """Return the sign of what the engine has at a time: 0 for x, 1 and 2 for the velocity along x and y."""
         seen = self._seen(time)[of]
         return (1.0 if seen >= 0.0 else -1.0) * (1.0 if of == 2 else self.side)
 
@@ -82,7 +82,7 @@ class SlackChain:
 
     @cached_property
     def start(self) -> Instant:
-        """Where and how fast the bob is at first: along its arc, towards the lowest point."""
+        """Return where and how fast the bob is at first: along its arc, towards the lowest point."""
         held, ell = self.swing, self.length
         begins = self.sign(0.0, 0)
         sine = Call("sin", held.first) if held.first != ZERO else ZERO
@@ -127,7 +127,7 @@ class SlackChain:
         return Instant(x if out > 0.0 else -x, y, vx, vy, v)
 
     def squared(self, held: Instant) -> Expression:
-        """The square of the speed."""
+        """Return the square of the speed."""
         return squares([held.vx, held.vy] if held.speed is None else [held.speed])
 
     # ---- in flight

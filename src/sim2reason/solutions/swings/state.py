@@ -52,7 +52,7 @@ class SwingState(SwingAngle):
         return float(angles[-1] - angles[0])
 
     def _seen(self, times: Array) -> tuple[Array, Array]:
-        """The angles and their rates at some times, each (n,), for signs alone."""
+        """Return the angles and their rates at some times, each (n,), for signs alone."""
         state = self.setting.study.trace.sample(times)
         found = pivot(self.setting.mechanism)
         assert found is not None
@@ -84,7 +84,7 @@ class SwingState(SwingAngle):
         return v**2 > 2.0 * g * ell * (1.0 + cos(self.began))
 
     def _turned(self) -> Expression:
-        """Where it turns back: all energy is of height."""
+        """Return where it turns back: all energy is of height."""
         name = self.book.fresh(r"\phi", r"\text{max}")
         step = self.book.open("energy")
         m, g, ell, v = self.mass, self.gravity, self.length, self.launch
@@ -131,7 +131,7 @@ class SwingState(SwingAngle):
         step.close()
 
     def _slack(self) -> Expression:
-        """Where weight alone bends the path: m v²/ℓ = −m g cos φ, with the energy."""
+        """Return where weight alone bends the path: m v²/ℓ = −m g cos φ, with the energy."""
         name, fast = self.book.fresh(r"\phi"), self.book.fresh("v", r"\text{s}")
         step, bent = self.book.open("slack"), Call("cos", name)
         g, ell, v = self.gravity, self.length, self.launch

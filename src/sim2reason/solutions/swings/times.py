@@ -87,7 +87,7 @@ class SwingTime:
         return self._special(said, self.book.fresh("u"), formula, "")
 
     def _amplitude(self, integral: Symbol) -> Symbol:
-        """The angle θ up to which the integral has a value."""
+        """Return the angle θ up to which the integral has a value."""
         said = f"The angle up to which the integral is ${integral.latex()}$ is"
         formula = Amplitude(integral, self._elliptic_modulus)
         return self._special(said, self.book.fresh(r"\psi"), formula, RADIANS)

@@ -95,15 +95,15 @@ class Both:
     there: float
 
     def __mul__(self, other: "Both") -> "Both":
-        """Both products."""
+        """Return both products."""
         return Both(self.here * other.here, self.there * other.there)
 
     def __truediv__(self, other: "Both") -> "Both":
-        """Both quotients."""
+        """Return both quotients."""
         return Both(self.here / other.here, self.there / other.there)
 
     def __sub__(self, other: "Both") -> "Both":
-        """Both differences."""
+        """Return both differences."""
         return Both(self.here - other.here, self.there - other.there)
 
 
@@ -128,7 +128,7 @@ class Lexicon:
         return self._twin[0]
 
     def _built(self) -> tuple[Mechanism, dict[str, float]]:
-        """The twin and its numbers, those of the mechanism's own count."""
+        """Return the twin and its numbers, those of the mechanism's own count."""
         for attempt in range(TRIES):
             rng = np.random.default_rng(attempt)
             side = -SHIFT if attempt % 2 == 0 else SHIFT
@@ -160,7 +160,7 @@ class Lexicon:
         return [*found, *self._attracting()]
 
     def _attracting(self) -> list[tuple[Both, Polynomial]]:
-        """The constant of gravitation; with a planet's g the mass is g R²/G, so that it cancels."""
+        """Return the constant of gravitation; with a planet's g the mass is g R²/G, so that it cancels."""
         pulls = self.mechanism.attractions
         if not pulls:
             return []
@@ -231,7 +231,7 @@ class Lexicon:
         return self._of_several(number)
 
     def _of_several(self, number: Both) -> Polynomial:
-        """A product of three or four, such as m g R² of a planet."""
+        """Return a product of three or four, such as m g R² of a planet."""
         for size in (3, 4):
             if comb(len(self._atoms) + size - 1, size) > TERMS:
                 break

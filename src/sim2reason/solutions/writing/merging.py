@@ -31,7 +31,7 @@ def merged(steps: Sequence[Step]) -> list[Step]:
 
 
 def _alike(first: Step, other: Step, *, follows: bool) -> bool:
-    """Whether a later step can stand with an earlier one: it says the same, of what is known by then.
+    """Return whether a later step can stand with an earlier one: it says the same, of what is known by then.
 
     A step that `follows` directly may rest on all that is known by then; another one on no more than the earlier one.
     """

@@ -27,7 +27,7 @@ def told_root(book: Book, step: Writing, name: Symbol, residual: Expression, nea
 
 
 def told_roots(book: Book, step: Writing, roots: Sequence[NamedRoot], unit: str, said: str) -> str:
-    """The same of several at once, one after the other."""
+    """Return the same of several at once, one after the other."""
     told, hidden = list[str](), False
     for name, residual, near in roots:
         hidden = hidden or not book.hidden.isdisjoint(residual.symbols())

@@ -117,7 +117,7 @@ class Book(FreshNames):
         return found
 
     def unit_in_text(self, unit: str) -> str:
-        """A unit of the SI, in LaTeX, as the text of this scene has it."""
+        """Return a unit of the SI, in LaTeX, as the text of this scene has it."""
         name = CANONICAL.get(unit)
         return unit if name is None or self._units == SI else latex(self._units.spell(name))
 
@@ -140,7 +140,7 @@ class Book(FreshNames):
         return formula if self.value(formula) > 0.0 else -formula
 
     def worked(self, formula: Expression) -> Expression:
-        """A formula of which the number alone is written, unless that hangs on what is unknown."""
+        """Return a formula of which the number alone is written, unless that hangs on what is unknown."""
         return formula if self.is_hidden(formula) else Worked(formula, self.value(formula))
 
     def rewrite(self, begun: int, steps: Sequence[Step]) -> None:
@@ -160,7 +160,7 @@ class Book(FreshNames):
     def told(
         self, kind: str, said: str, name: Symbol, formula: Expression, unit: str = "", *, rests: str = ""
     ) -> Symbol:
-        """A step of one sentence that ends with a law by itself and `rests` on a label; gives back the name."""
+        """Return a step of one sentence that ends with a law by itself and `rests` on a label; gives back the name."""
         step = self.open(kind)
         step.rest_on(rests)
         step.say(f"{said} {step.result(name, formula, unit, law=True)}.")
@@ -214,7 +214,7 @@ class Writing:
         self._said.extend(sentence for sentence in sentences if sentence)
 
     def law(self, left: Expression, right: Expression) -> str:
-        """A law that is told, in LaTeX with dollars."""
+        """Return a law that is told, in LaTeX with dollars."""
         return self._noted(Relation(left, right, "law"))
 
     def derived(self, left: Expression, right: Expression) -> str:
@@ -222,7 +222,7 @@ class Writing:
         return self._noted(Relation(left, right, "derived"))
 
     def result(self, name: Symbol, formula: Expression, unit: str, *, law: bool = False) -> str:
-        """A name and what it comes to; with `law`, the formula is a law by itself, as v = a t is."""
+        """Return a name and what it comes to; with `law`, the formula is a law by itself, as v = a t is."""
         self._book.check_need(formula)
         unit = self._book.unit_in_text(unit)
         relation = Relation(name, formula, "law" if law else "result", unit)

@@ -9,13 +9,13 @@ from sim2reason.solutions.algebra.expressions import Symbol
 
 
 def subscript(name: str) -> str:
-    """What stands below a name, without its braces; empty for nothing."""
+    """Return what stands below a name, without its braces; empty for nothing."""
     inner = name.partition("_")[2]
     return inner[1:-1] if inner.startswith("{") else inner
 
 
 def marked(base: str, mark: str) -> str:
-    """A name with a subscript, added to the one that it may have."""
+    """Return a name with a subscript, added to the one that it may have."""
     if not mark:
         return base
     inner = subscript(base)

@@ -11,7 +11,7 @@ MICRO = "\N{MICRO SIGN}"
 
 
 def latex(unit: str) -> str:
-    """A unit in LaTeX with the space before it, the words upright; nothing for a pure number."""
+    """Return a unit in LaTeX with the space before it, the words upright; nothing for a pure number."""
     if unit == "deg":
         return DEGREES
     if unit.startswith("1/"):
@@ -23,7 +23,7 @@ def latex(unit: str) -> str:
 
 
 def unit_of(text: str) -> str:
-    """The unit with which a text in LaTeX ends; empty for none."""
+    """Return the unit with which a text in LaTeX ends; empty for none."""
     if text.endswith(DEGREES):
         return "deg"
     found = re.search(r"(?:\\ )?((?:\\text\{[^{}]*\}(?:\^\d)?)+)(?:\^\{-(\d)\})?$", text)
@@ -87,7 +87,7 @@ LETTERS = {
 
 
 def unit_of_quantity(name: str) -> str:
-    """The unit of a quantity or a functional, in LaTeX."""
+    """Return the unit of a quantity or a functional, in LaTeX."""
     declared = QUANTITIES[name] if name in QUANTITIES else FUNCTIONALS[name]
     return latex(declared.unit)
 

@@ -16,7 +16,7 @@ class Check(ABC):
 
     @abstractmethod
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """What does not hold in these scenes, at most a few of each kind."""
+        """Return what does not hold in these scenes, at most a few of each kind."""
 
 
 C = TypeVar("C", bound=Check)

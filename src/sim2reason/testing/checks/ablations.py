@@ -33,7 +33,7 @@ class AblationsCheck(Check):
                     yield from self._glued(found, body.name)
 
     def _without(self, found: Specimen, address: str) -> Iterator[Finding]:
-        """The rest is told, read back and simulated, or refused in words."""
+        """Yield a finding unless the rest of the scene is described and simulated, or refused with an error."""
         remedy = "let a validator refuse what can not be without it, and build what is there"
         try:
             scene = _made(lambda: found.scene.without(address))
@@ -56,7 +56,7 @@ class AblationsCheck(Check):
             yield found.finding(self.name, expected, f"{error}\n  text: {text}", remedy)
 
     def _glued(self, found: Specimen, body: str) -> Iterator[Finding]:
-        """A glued body has no way of its own to move, and the rest moves, or nothing can."""
+        """Yield a finding if a glued body can still move, or the rest of the scene cannot be simulated."""
         expected, remedy = f"{body} can be glued to what carries it", "let build say all of a body through the frame"
         try:
             scene = _made(lambda: found.scene.gluing(body))
@@ -71,7 +71,7 @@ class AblationsCheck(Check):
 
 
 def _made(make: Callable[[], Scene]) -> Scene | None:
-    """A changed scene that fits together; None if it is refused."""
+    """Return a changed scene that fits together; None if it is refused."""
     try:
         scene = make()
         scene.check()
@@ -81,7 +81,7 @@ def _made(make: Callable[[], Scene]) -> Scene | None:
 
 
 def removable(scene: Scene) -> Iterator[str]:
-    """The addresses of what the entity can do without: optional fields that are there, and members of lists."""
+    """Yield the addresses of what the entity can do without: optional fields that are there, and members of lists."""
     yield from _removable(scene.entity(IT), IT)
 
 

@@ -17,7 +17,7 @@ class AgreementCheck(Check):
     name = "agreement"
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """Every scene that is refused, if there are too many."""
+        """Yield every scene that is refused, if there are too many."""
         reasons = [(found, reason(found)) for found in specimens.members]
         refused = [(found, why) for found, why in reasons if why]
         if len(refused) > max(1.0, REFUSED * len(reasons)):
@@ -31,7 +31,7 @@ class AgreementCheck(Check):
 
 
 def reason(found: Specimen) -> str:
-    """Why a motion is not certified as long as the recorded engine describes it; empty if it is."""
+    """Return why a motion is not certified as long as the recorded engine describes it; empty if it is."""
     try:
         trace, certificate = found.certified
     except (SimulationError, UnsupportedError) as error:

@@ -73,7 +73,7 @@ class EnergyCheck(Check):
                 return
 
     def _potential(self, found: Specimen, force: Force) -> Iterator[Finding]:
-        """What a law calls its potential falls by the work of its force."""
+        """Yield a finding where the potential of a law does not fall by the work of its force."""
         trace = found.study.trace
         for start, stop in intervals(trace, found.end) if force.region is None else ():
             ends = trace.sample(edges(start, stop))
@@ -101,7 +101,7 @@ def _around(trace: Trace, before: float, after: float) -> State:
 
 
 def _work(trace: Trace, force: Force, start: float, stop: float) -> tuple[float, float]:
-    """The work of a given force, and what it did to and fro, J."""
+    """Return the work of a given force, and what it did to and fro, J."""
 
     def power(state: State) -> Array:
         velocity = state.vector(state.frames.center(force.body).velocity)
@@ -112,5 +112,5 @@ def _work(trace: Trace, force: Force, start: float, stop: float) -> tuple[float,
 
 
 def _least(mechanism: Mechanism) -> float:
-    """An energy that is small for a mechanism: of its heaviest body at a decimetre a second, J."""
+    """Return an energy that is small for a mechanism: of its heaviest body at a decimetre a second, J."""
     return 5e-3 * max((body.mass for body in mechanism.bodies if body.coordinates), default=1.0)

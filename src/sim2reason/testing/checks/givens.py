@@ -66,7 +66,7 @@ class GivensCheck(Check):
 
 
 def _facts(mechanism: Mechanism) -> dict[str, float]:
-    """What a mechanism knows of masses, friction and bounces, by what it is."""
+    """Return what a mechanism knows of masses, friction and bounces, by what it is."""
     found = {f"the mass of {body.name}": body.mass for body in mechanism.bodies}
     found |= {f"the friction under {face.subject}": face.friction for face in mechanism.faces}
     found |= {f"the restitution of {' and '.join(hit.names)}": hit.restitution for hit in mechanism.meetings}
@@ -74,7 +74,7 @@ def _facts(mechanism: Mechanism) -> dict[str, float]:
 
 
 def _decided(found: Specimen) -> set[str]:
-    """The facts that change with some number of the text."""
+    """Return the facts that change with some number of the text."""
     before, decided = _facts(found.study.mechanism), set[str]()
     for path, parameter in spoken(found.scene).items():
         other = changed(found.scene, {path: (parameter.value or 0.0) * SHIFT})
@@ -85,7 +85,7 @@ def _decided(found: Specimen) -> set[str]:
 
 
 def _shifted(mechanism: Mechanism) -> Iterator[tuple[str, Mechanism]]:
-    """The mechanism with one fact after another changed."""
+    """Yield the mechanism with one fact after another changed."""
     for name in _facts(mechanism):
         bodies = tuple(_heavier(body) if name == f"the mass of {body.name}" else body for body in mechanism.bodies)
         faces = tuple(

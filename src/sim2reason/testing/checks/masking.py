@@ -48,7 +48,7 @@ class MaskingCheck(Check):
                 yield found.finding(self.name, expected, f"the text is read back all the same: {text}", remedy)
 
     def _sentences(self, found: Specimen) -> Iterator[Finding]:
-        """Each sentence and each row matters, but for those on what matters to some questions only."""
+        """Yield each sentence and each row matters, but for those on what matters to some questions only."""
         told = found.description
         spared = spare(told)
         for cut, text in without_one(list(pieces(told.text))):
@@ -62,7 +62,7 @@ class MaskingCheck(Check):
 
 
 def _lacks(text: str, path: str) -> bool:
-    """Whether a text is refused, or read as one that leaves the number at an address open."""
+    """Return whether a text is refused, or read as one that leaves the number at an address open."""
     try:
         return path.rpartition(".")[2] in {where.rpartition(".")[2] for where in parse_scene(text).unknown}
     except TextError:
@@ -70,7 +70,7 @@ def _lacks(text: str, path: str) -> bool:
 
 
 def _understood(text: str) -> object:
-    """What a text is read as; None if it is refused."""
+    """Return what a text is read as; None if it is refused."""
     try:
         return meant(parse_scene(text))
     except TextError:
@@ -78,7 +78,7 @@ def _understood(text: str) -> object:
 
 
 def spare(description: Description) -> set[str]:
-    """The sentences of a text that matter to some questions only: a text without them means the same.
+    """Return the sentences of a text that matter to some questions only: a text without them means the same.
 
     Not so those on how it begins: without any question, a text tells that.
     """
@@ -87,7 +87,7 @@ def spare(description: Description) -> set[str]:
 
 
 def without_one(parts: list[str]) -> Iterator[tuple[str, str]]:
-    """What is cut, a sentence or a row of a table, and the text without it."""
+    """Yield what is cut, a sentence or a row of a table, and the text without it."""
     for index, part in enumerate(parts):
         yield part, together([*parts[:index], *parts[index + 1 :]]) or " "
         rows = part.split("\n")

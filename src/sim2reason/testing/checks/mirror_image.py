@@ -30,7 +30,7 @@ class MirrorImageCheck(Check):
                 yield found.finding(self.name, "the mirror image moves as the mirror image", what, remedy)
 
     def _parted(self, found: Specimen) -> str:
-        """Where the two motions part, in words; empty if they do not."""
+        """Return where the two motions part, in words; empty if they do not."""
         trace = found.study.trace
         try:
             image = ENGINES[RECORDED](mirrored(trace.mechanism), trace.state.times)

@@ -73,7 +73,7 @@ class MomentumCheck(Check):
 
 
 def free_directions(mechanism: Mechanism) -> list[Vector]:
-    """The directions in which everything can move and nothing fixed can push or pull at an impact."""
+    """Return the directions in which everything can move and nothing fixed can push or pull at an impact."""
     roots = [body for body in mechanism.bodies if body.parent is None]
     held = any(mechanism.site[site].body is None for line in mechanism.lines for site in line.through)
     rough = any(face.friction > 0.0 for face in mechanism.faces)

@@ -30,7 +30,7 @@ class DrawnCheck(Check):
     name = "drawing"
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """All scenes as shapes, the first one also as a file."""
+        """Yield all scenes as shapes, the first one also as a file."""
         for found in specimens.members:
             yield from self._drawn(found)
         for found in specimens.some(FILES):
@@ -69,7 +69,7 @@ class PlottedCheck(Check):
     name = "plots"
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """All motions as curves, the first one also as a file."""
+        """Yield all motions as curves, the first one also as a file."""
         expected, remedy = "a plot shows all that moves", "name bodies in build as their fields are"
         panels = 0
         for found in specimens.moving:
@@ -91,7 +91,7 @@ class PlottedCheck(Check):
 
 
 def moving(found: Specimen) -> list[str]:
-    """The bodies of the text whose centre of mass moves as they themselves do, not only what carries them."""
+    """Return the bodies of the text whose centre of mass moves as they themselves do, not only what carries them."""
     state, said = found.study.trace.state, found.words.mentions
     shift = QUANTITIES["displacement"].evaluate
     within = state.times <= found.end
@@ -100,14 +100,14 @@ def moving(found: Specimen) -> list[str]:
 
 
 def _moves_itself(mechanism: Mechanism, body: RigidBody) -> bool:
-    """Whether a coordinate of its own moves its centre of mass; a wheel's does not."""
+    """Return whether a coordinate of its own moves its centre of mass; a wheel's does not."""
     gradient = start(mechanism).center(body.name).gradient
     ways = (gradient.get(mechanism.number[own.name], ZERO) for own in body.coordinates)
     return any(hypot(*way) > STILL for way in ways)
 
 
 def plotted(found: Specimen) -> set[str]:
-    """What has a curve in some panel."""
+    """Return what has a curve in some panel."""
     mechanism, said = found.study.mechanism, found.words.mentions
     shown = [quantity for quantity in QUANTITIES.values() if quantity.panel]
     return {name for quantity in shown for name in quantity.of.phrases(mechanism, said)}

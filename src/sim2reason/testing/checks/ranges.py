@@ -91,12 +91,12 @@ class _Looked:
 
 
 def _field(path: str) -> str:
-    """The address of a number with ``*`` for the places of members."""
+    """Return the address of a number with ``*`` for the places of members."""
     return ".".join("*" if step.isdigit() else step for step in path.split("."))
 
 
 def _matters(found: Specimen, path: str) -> bool:
-    """Whether an answer changes with a number."""
+    """Return whether an answer changes with a number."""
     value = next(p.value for p in found.scene.parameters if p.path == path) or 0.0
     tried = [value * shift if value else shift - 1.0 for shift in SHIFTS]
     owner, _, name = path.rpartition(".")
@@ -113,7 +113,7 @@ def _matters(found: Specimen, path: str) -> bool:
 
 
 def _constant(cls: type[Entity]) -> list[str]:
-    """What is declared to vary and does not."""
+    """Return what is declared to vary and does not."""
     values: dict[str, list[object]] = {}
     for seed in range(MANY):
         if seed >= DRAWS and not _alike(values):
@@ -128,7 +128,7 @@ def _constant(cls: type[Entity]) -> list[str]:
 
 
 def _alike(values: Mapping[str, list[object]]) -> list[str]:
-    """What was drawn often and was always the same."""
+    """Return what was drawn often and was always the same."""
     return sorted(name for name, held in values.items() if len(held) >= OFTEN and len(set(held)) == 1)
 
 

@@ -22,7 +22,7 @@ class RoundTripCheck(Check):
     name = "round trip"
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """All scenes, each in several wordings."""
+        """Yield all scenes, each in several wordings."""
         for found in specimens.members:
             yield from self._file(found)
             wordings = range(found.seed, found.seed + WORDINGS)
@@ -50,17 +50,17 @@ class RoundTripCheck(Check):
 
 
 def meaning(description: Description) -> Signature:
-    """What a scene means, whatever entities it is made of, by what its text calls bodies."""
+    """Return what a scene means, whatever entities it is made of, by what its text calls bodies."""
     scene = description.scene
     return signature(scene, {address: description.mention(address) for address in scene.bodies})
 
 
 def meant(parsed: ParsedScene) -> Signature:
-    """What a text that was read means."""
+    """Return what a text that was read means."""
     return signature(parsed.scene, parsed.mentions)
 
 
 def numbers(scene: Scene) -> list[tuple[str, float]]:
-    """All that a text tells; a pulley without mass may belong to an entity or to a string."""
+    """Return all that a text tells; a pulley without mass may belong to an entity or to a string."""
     said = [(p.measure.name, p.value) for p in scene.parameters if not p.hidden and p.value is not None]
     return sorted(number for number in said if number != ("pulley mass", 0.0))

@@ -26,12 +26,12 @@ WORDS = {"easy": 150, "medium": 300, "hard": 600}
 
 
 def words(text: str) -> int:
-    """How long a text is; a formula counts as a word."""
+    """Return how long a text is; a formula counts as a word."""
     return len(re.sub(r"\$[^$]*\$", "x", text).split())
 
 
 def faults(solution: Solution, answer: float, within: float = WELL) -> list[str]:
-    """All that is wrong with a solution, in words; `answer` is the engine's, in the unit of the question.
+    """Return all that is wrong with a solution, in words; `answer` is the engine's, in the unit of the question.
 
     `within` is how well the engine knows it, relative, see `SEEN`, or what is given of it, where it is unknown.
     """
@@ -127,7 +127,7 @@ def _formulas(solution: Solution) -> list[Relation]:
 
 
 def _elsewhere(solution: Solution) -> dict[str, float]:
-    """The values at other givens: where equal masses only exchange their velocities, a law would seem idle."""
+    """Return the values at other givens: where equal masses only exchange their velocities, a law would seem idle."""
     values = dict(solution.values)
     known: set[str] = set()
     for number, relation in enumerate(solution.relations):
@@ -145,7 +145,7 @@ def _elsewhere(solution: Solution) -> dict[str, float]:
 
 
 def _spared(laws: Sequence[Relation], values: dict[str, float], place: dict[str, int], goal: Array) -> bool:
-    """Whether laws determine the goal also away from where one that they lack holds.
+    """Return whether laws determine the goal also away from where one that they lack holds.
 
     Where that one says when something is greatest, the goal does not change at first as it is given up: so follow what
     the laws leave free for a short way, back onto them by Newton's method, and look again there.
@@ -181,7 +181,7 @@ def _sizes(values: Mapping[str, float], place: Mapping[str, int]) -> Array:
 
 
 def _spanned(rows: Sequence[Array], goal: Array) -> bool:
-    """Whether a row is a combination of others."""
+    """Return whether a row is a combination of others."""
     size = float(np.abs(goal).max(initial=0.0))
     if not rows or not size:
         return not size
@@ -191,7 +191,7 @@ def _spanned(rows: Sequence[Array], goal: Array) -> bool:
 
 
 def by_digits(solution: Solution, digits: int = DIGITS) -> float:
-    """The answer, worked out by whoever carries so many digits from line to line; NaN where that ends early."""
+    """Return the answer, worked out by whoever carries so many digits from line to line; NaN where that ends early."""
     values: dict[str, float] = {}
     for relation in solution.relations:
         if not isinstance(relation.left, Symbol) or relation.role == "exceeds":

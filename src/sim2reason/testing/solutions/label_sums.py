@@ -34,7 +34,7 @@ class LabelSum:
     moved: tuple[str, ...]
 
     def holds(self, values: Mapping[str, float]) -> bool:
-        """Whether both change alike, however what is unknown is moved."""
+        """Return whether both change alike, however what is unknown is moved."""
         names = [name for name in self.moved if name in values]
         rows = [row for excess in self.held if (row := _gradient(excess, values, names)) is not None and row.any()]
         free = _free(rows, len(names))
@@ -55,7 +55,7 @@ class LabelSum:
 def label_sums(
     text: str, read: Callable[[str], Excess | None], givens: Sequence[str], names: Sequence[str]
 ) -> list[LabelSum]:
-    """All sums of a text; `read` makes a formula with an equals sign a function of its symbols."""
+    """Return all sums of a text; `read` makes a formula with an equals sign a function of its symbols."""
     labelled = {match["label"]: match["formula"] for match in LABEL.finditer(text)}
     sums = list(SUM.finditer(text))
     apart = [match["formula"] for match in LABEL.finditer(text) if LIGHT in match[0]]
@@ -77,7 +77,7 @@ def label_sums(
 
 
 def _number(formula: str) -> bool:
-    """Whether a symbol is said to have a number: a result, not a law."""
+    """Return whether a symbol is said to have a number: a result, not a law."""
     last = formula.rpartition("=")[2].strip()
     return re.fullmatch(r"-?[\d.]+(?: \\times 10\^\{-?\d+\})?(?:\\ \\text.*|\^\\circ)?", last) is not None
 
@@ -111,7 +111,7 @@ def _gradient(excess: Excess, values: Mapping[str, float], names: Sequence[str])
 
 
 def _free(rows: Sequence[Array], size: int) -> Array:
-    """The ways, as columns, in which nothing that is held changes."""
+    """Return the ways, as columns, in which nothing that is held changes."""
     if not rows:
         return np.eye(size)
     _, spread, ways = np.linalg.svd(np.array([row / np.abs(row).max() for row in rows]))

@@ -77,7 +77,7 @@ def _last_named(relations: list[Data], names: Mapping[int, frozenset[str]], fixe
 
 
 def _laws(data: Data) -> list[tuple[list[Data], int]]:
-    """Where laws stand: the list, and the index in it."""
+    """Return where laws stand: the list, and the index in it."""
     lists = [step["relations"] for step in data["steps"]]
     idle = {id(relation) for relation in _idle(data)}
     found = [(held, n) for held in lists for n, r in enumerate(held) if r["role"] == "law" and id(r) not in idle]
@@ -216,7 +216,7 @@ def _change(
 
 
 def _holds(relation: Data, values: Mapping[str, float]) -> bool:
-    """Whether a relation holds at the right values; one that can't be looked at alone does not."""
+    """Return whether a relation holds at the right values; one that can't be looked at alone does not."""
     try:
         return Equation.of(relation["left"], relation["right"]).holds(values)
     except (KeyError, ValueError, ArithmeticError):
@@ -224,7 +224,7 @@ def _holds(relation: Data, values: Mapping[str, float]) -> bool:
 
 
 def _value(tree: Tree, values: Mapping[str, float]) -> float | None:
-    """The value of a formula; None if it has none."""
+    """Return the value of a formula; None if it has none."""
     try:
         return value(tree, values)
     except (KeyError, ValueError, ArithmeticError):
@@ -232,7 +232,7 @@ def _value(tree: Tree, values: Mapping[str, float]) -> float | None:
 
 
 def _roots(data: Data) -> Iterator[tuple[Data | None, Place]]:
-    """Each tree, with the relation to which it belongs."""
+    """Yield each tree, with the relation to which it belongs."""
     for step in data["steps"]:
         for relation in step["relations"]:
             for side in ("left", "right"):
@@ -254,7 +254,7 @@ def _trees(data: Data) -> Iterator[Place]:
 
 
 def _signs(place: Place) -> Iterator[Place]:
-    """The terms of sums, and products behind a minus."""
+    """Yield the terms of sums, and products behind a minus."""
     held, key = place
     tree: Tree = held[key]
     if not isinstance(tree, list):
@@ -268,7 +268,7 @@ def _signs(place: Place) -> Iterator[Place]:
 
 
 def _numbers(place: Place) -> Iterator[Place]:
-    """All numbers but zeros and exponents."""
+    """Yield all numbers but zeros and exponents."""
     held, key = place
     tree: Tree = held[key]
     if isinstance(tree, float | int):

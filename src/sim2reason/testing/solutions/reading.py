@@ -51,7 +51,7 @@ class Equality:
         return None if left is None or right is None else left - right
 
     def sizes(self, values: Mapping[str, float]) -> float:
-        """The sum of the sizes of all terms."""
+        """Return the sum of the sizes of all terms."""
         found = (arithmetic.value(term, values) for term in self.terms)
         return sum(abs(size) for size in found if size is not None)
 
@@ -64,7 +64,7 @@ class Equality:
         return sum(sizes)
 
     def holds(self, values: Mapping[str, float]) -> bool:
-        """Whether both sides agree as well as numbers of five digits can."""
+        """Return whether both sides agree as well as numbers of five digits can."""
         excess = self.excess(values)
         return excess is not None and abs(excess) <= self.close * self.rounding(values, excess)
 
@@ -89,7 +89,7 @@ class ReadText:
 
 
 def read(text: str, known: Mapping[str, float] | None = None) -> ReadText:
-    """All equalities of a text; a symbol has the number that it is first said to equal.
+    """Return all equalities of a text; a symbol has the number that it is first said to equal.
 
     Where a problem is in symbols, `known` has their values.
     """
@@ -127,7 +127,7 @@ def read(text: str, known: Mapping[str, float] | None = None) -> ReadText:
 
 
 def _ending(match: re.Match[str], table: frozenset[str]) -> Iterator[Equality]:
-    """What the line with the box says: that a symbol is a number of three digits, or a formula.
+    """Yield what the line with the box says: that a symbol is a number of three digits, or a formula.
 
     In other units than the rest, the number is there in both.
     """
@@ -183,7 +183,7 @@ def _solved(equality: Equality, values: Mapping[str, float]) -> tuple[float, str
 
 
 def _table(chains: list[str]) -> frozenset[str]:
-    """The symbols of the text: e is one of them where it is said to equal something."""
+    """Return the symbols of the text: e is one of them where it is said to equal something."""
     found: set[str] = {"e"} if any(chain.strip().startswith("e =") for chain in chains) else set()
     for side in (side for chain in chains for side in chain.split("=")):
         try:
@@ -194,7 +194,7 @@ def _table(chains: list[str]) -> frozenset[str]:
 
 
 def _side(text: str, table: frozenset[str]) -> tuple[Node, tuple[Node, ...], frozenset[str]]:
-    """The value of one side, a unit behind it left out; its terms; its symbols."""
+    """Return the value of one side, a unit behind it left out; its terms; its symbols."""
     tokens = tokenize(text.strip(), table)
     upright = next((n for n, token in enumerate(tokens) if token.kind == "word" and token.upright), len(tokens))
     if upright < len(tokens) and tokens[upright - 1].kind == "open":
@@ -224,6 +224,6 @@ def _terms(tokens: list[Token]) -> Iterator[list[Token]]:
 
 
 def _name(chain: str, table: frozenset[str]) -> str:
-    """The symbol that is said to equal the rest; empty if it is a formula."""
+    """Return the symbol that is said to equal the rest; empty if it is a formula."""
     tokens = tokenize(chain.partition("=")[0].strip(), table)
     return tokens[0].text if len(tokens) == 1 and tokens[0].kind == "symbol" else ""

@@ -51,7 +51,7 @@ class Corpus(BaseModel, ABC):
 
     @abstractmethod
     def rows(self, left_out: Counter[str]) -> Iterator[Row]:
-        """All rows in order, the same each time; those that cannot be rows are counted by their reason.
+        """Return all rows in order, the same each time; those that cannot be rows are counted by their reason.
 
         Raises:
             TrainingError: a file that is missing, damaged, or holds something else.
@@ -63,7 +63,7 @@ CORPORA: Registry[type[Corpus]] = Registry("training.corpora")
 
 
 def corpus_from(settings: Mapping[str, object], place: str = "corpus") -> Corpus:
-    """The corpus that settings describe; its `kind` is a registered name.
+    """Return the corpus that settings describe; its `kind` is a registered name.
 
     Raises:
         TrainingError: a setting that is unknown, missing or makes no sense.

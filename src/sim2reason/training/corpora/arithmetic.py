@@ -52,7 +52,7 @@ class Arithmetic(Corpus):
         return value
 
     def rows(self, left_out: Counter[str]) -> Iterator[Row]:
-        """Those of the problems in their order; one whose solution is no arithmetic is left out."""
+        """Return those of the problems in their order; one whose solution is no arithmetic is left out."""
         return drawn_rows(self.problems, self.rows_of, self.items, self.workers, left_out, "no arithmetic")
 
     def rows_of(self, request: Request) -> list[Row] | None:
@@ -77,5 +77,5 @@ class Arithmetic(Corpus):
 
 
 def _answer(text: str) -> str:
-    """What stands in the box."""
+    """Return what stands in the box."""
     return text.rpartition("\n")[2]

@@ -27,7 +27,7 @@ class Drills(Corpus):
     """In one row."""
 
     def rows(self, left_out: Counter[str]) -> Iterator[Row]:
-        """All of them."""
+        """Yield all of them."""
         del left_out
         rng = generator("drills", self.seed)
         for _ in range(self.items):
@@ -35,7 +35,7 @@ class Drills(Corpus):
 
 
 def _operation(rng: np.random.Generator) -> str:
-    """One operation on numbers about one, as mechanics in the units of the SI has them."""
+    """Return one operation on numbers about one, as mechanics in the units of the SI has them."""
     sign = str(rng.choice(list(SHARES), p=list(SHARES.values())))
     first = float(plain_number(10.0 ** rng.uniform(-0.8, 1.0)))
     second = float(f"{10.0 ** rng.uniform(-1.2, 1.0):.{2 if sign == '*' else 3}g}")

@@ -23,7 +23,7 @@ class JsonLines(Corpus):
     """The name of that with the completion."""
 
     def rows(self, left_out: Counter[str]) -> Iterator[Row]:
-        """Those of the file."""
+        """Return those of the file."""
         del left_out
         return rows_in(self.file, self.prompt, self.completion)
 

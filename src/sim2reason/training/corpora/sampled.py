@@ -22,7 +22,7 @@ class SampledSolutions(Corpus):
     folder: Path
 
     def rows(self, left_out: Counter[str]) -> Iterator[Row]:
-        """Those of the folder, whose hash is checked."""
+        """Return those of the folder, whose hash is checked."""
         del left_out
         try:
             found = Sampled.model_validate_json((self.folder / RESULT).read_bytes())

@@ -29,7 +29,7 @@ def make_trainer(
     *,
     weights: Sequence[float] | None = None,
 ) -> "GSPOTrainer":
-    """A trainer of a checkpoint, given as such or by its folder or name, or of a causal language model itself.
+    """Return a trainer of a checkpoint, given as such or by its folder or name, or of a causal language model itself.
 
     It writes into the folder `out`. Rewards are functions as TRL calls them, ``reward(prompts, completions,
     **columns)``, which give a number or None for each completion; what is learned from is their sum, with `weights` if
@@ -95,7 +95,7 @@ def _objective(settings: GSPOSettings) -> dict[str, Any]:
 
 
 def _updates(settings: GSPOSettings, micro: int, accumulation: int) -> dict[str, Any]:
-    """What TRL counts in updates, we count in steps."""
+    """Return the options that TRL counts in updates, converted from steps."""
     every = settings.minibatches
     new_name = "activation_checkpointing"  # since transformers 5.2x, which warns of the old one
     known = library("trl").GRPOConfig.__dataclass_fields__
@@ -118,7 +118,7 @@ def _updates(settings: GSPOSettings, micro: int, accumulation: int) -> dict[str,
 
 
 def _rollouts(settings: GSPOSettings) -> dict[str, Any]:
-    """How completions are made."""
+    """Return how completions are made."""
     found: dict[str, Any] = {
         "num_generations": settings.generations,
         "max_completion_length": settings.max_completion_tokens,

@@ -28,7 +28,7 @@ BATCH = {"num_items_in_batch"}  # one number for all, counted anew
 
 
 def cut(output: dict[str, Tensor], number: int, generations: int) -> Group:
-    """The `number`-th group of this process, out of what TRL keeps for a round.
+    """Return the `number`-th group of this process, out of what TRL keeps for a round.
 
     Raises:
         TrainingError: TRL keeps something that `join` could not put together, such as pictures.
@@ -47,7 +47,7 @@ def cut(output: dict[str, Tensor], number: int, generations: int) -> Group:
 
 
 def filler(size: int, token: int, device: object) -> Group:
-    """A group that stands where none could be had: one token of prompt, and a completion that no loss counts."""
+    """Return a group that stands where none could be had: one token of prompt, and a completion that no loss counts."""
     torch = library("torch")
     ids = torch.full((size, 1), token, device=device)
     nothing = torch.zeros(size, 1, device=device)
@@ -58,7 +58,7 @@ def filler(size: int, token: int, device: object) -> Group:
 
 
 def join(groups: Sequence[Group], token: int) -> dict[str, Tensor]:
-    """One batch of groups, padded anew to the longest prompt and completion; `token` pads what are ids."""
+    """Return one batch of groups, padded anew to the longest prompt and completion; `token` pads what are ids."""
     torch = library("torch")
     batch: dict[str, Tensor] = {}
     for name in sorted(set[str](groups[0]).intersection(*groups)):  # fillers have all names, groups what TRL needs
@@ -77,5 +77,5 @@ def _padded(part: Tensor, width: int, fill: int, *, left: bool) -> Tensor:
 
 
 def moved(group: Group, device: object) -> Group:
-    """The same group on another device."""
+    """Return the same group on another device."""
     return {name: held.to(device) for name, held in group.items()}

@@ -41,7 +41,7 @@ def mark(folder: Path, cursor: Cursor) -> None:
 
 
 def read_cursor(folder: Path) -> Cursor:
-    """The cursor of a checkpoint.
+    """Return the cursor of a checkpoint.
 
     Raises:
         TrainingError: it has none, as one that was being written when the run was killed, or it is damaged.
@@ -56,7 +56,7 @@ def read_cursor(folder: Path) -> Cursor:
 
 
 def last_checkpoint(out: Path) -> Path | None:
-    """The newest whole checkpoint of a run, or None. One that a kill left half written is passed over."""
+    """Return the newest whole checkpoint of a run, or None. One that a kill left half written is passed over."""
     return max((path for path in _folders(out) if (path / NAME).is_file()), key=_updates, default=None)
 
 

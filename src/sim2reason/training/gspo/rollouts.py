@@ -43,7 +43,7 @@ class Rollouts:
         return Decoder(self._models[1])
 
     def __call__(self, prompts: Sequence[Sequence[int]]) -> list[list[int]]:
-        """The tokens of a completion for each prompt, the one that ends it included."""
+        """Return the tokens of a completion for each prompt, the one that ends it included."""
         torch, trainer = library("torch"), self._trainer
         self._refresh()
         width, pad = max(map(len, prompts)), trainer._tokenizer.pad_token_id  # noqa: SLF001 - TRL's own

@@ -39,7 +39,7 @@ class Sampler(Protocol):
     """What a trainer can do."""
 
     def draw(self, count: int) -> Drawn:
-        """The next `count` prompts; the same on all processes."""
+        """Return the next `count` prompts; the same on all processes."""
         ...
 
     def answer(self, rows: Sequence[Row]) -> Answered:
@@ -127,12 +127,12 @@ def _add_round(filled: Filled, sampler: Sampler, place: Place, rows: list[Row], 
 
 
 def spread(rewards: Sequence[float]) -> bool:
-    """Whether the standard deviation of rewards is more than rounding."""
+    """Return whether the standard deviation of rewards is more than rounding."""
     return bool(rewards) and max(rewards) - min(rewards) > EQUAL
 
 
 def balance(owners: Sequence[int], world: int) -> list[int]:
-    """Which process learns each group, so that all have equally many, or one more; most stay where they are."""
+    """Return which process learns each group, so that all have equally many, or one more; most stay where they are."""
     shares = [len(owners) // world + (rank < len(owners) % world) for rank in range(world)]
     left, homeless, places = list(shares), list[int](), list(owners)
     for number, owner in enumerate(owners):
@@ -218,7 +218,7 @@ class Meter:
         return StepSeconds(step=now - self._began, update=update, problems=self._problems, **spent)
 
     def record(self, logged: Mapping[str, float | None], *, step: int, updates: int, consumed: int) -> StepRecord:
-        """The line of a step whose numbers were logged.
+        """Return the line of a step whose numbers were logged.
 
         Raises:
             TrainingError: one of them is not finite.

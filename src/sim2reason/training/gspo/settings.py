@@ -150,7 +150,7 @@ class PromptStream(Protocol):
         ...
 
     def next_prompts(self, count: int) -> Sequence[Mapping[str, Any]]:
-        """The next `count` rows; fewer say that there are no more."""
+        """Return the next `count` rows; fewer say that there are no more."""
         ...
 
     def observe(self, row: Mapping[str, Any], rewards: Sequence[float]) -> None:
@@ -158,7 +158,7 @@ class PromptStream(Protocol):
         ...
 
     def state(self) -> JsonValue:
-        """The cursor: what `restore` needs so that the next row is the one after those handed out."""
+        """Return the cursor: what `restore` needs so that the next row is the one after those handed out."""
         ...
 
     def restore(self, state: JsonValue) -> None:
@@ -177,7 +177,7 @@ class Drawn:
 
 
 def draw(stream: PromptStream, count: int, fits: Callable[[Row], bool]) -> Drawn:
-    """The next `count` rows that fit, or as many as there are, all with the same columns.
+    """Return the next `count` rows that fit, or as many as there are, all with the same columns.
 
     Raises:
         TrainingError: a row has no prompt or has pictures, texts and messages are mixed, or hardly a prompt fits.

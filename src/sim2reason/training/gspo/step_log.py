@@ -87,5 +87,5 @@ class StepLog:
         self._lines.add(record.model_dump_json())
 
     def read(self) -> list[StepRecord]:
-        """All steps so far."""
+        """Return all steps so far."""
         return [StepRecord.model_validate_json(line) for line in self._lines.read()]

@@ -66,7 +66,7 @@ class GSPOTrainer(trl.GRPOTrainer):
 
     @property
     def place(self) -> Place:
-        """Which process this is."""
+        """Return which process this is."""
         return Place(self.accelerator.process_index, self.accelerator.num_processes)
 
     def _send_telemetry(self) -> None:
@@ -75,7 +75,7 @@ class GSPOTrainer(trl.GRPOTrainer):
     # drawing and answering
 
     def _generate_and_score_completions(self, inputs: list[Row]) -> dict[str, Tensor]:
-        """The batch of a step, filled from the stream; what the loop brings is a placeholder."""
+        """Return the batch of a step, filled from the stream; what the loop brings is a placeholder."""
         if not self.model.training:
             return super()._generate_and_score_completions(inputs)
         self._meter.begin()
@@ -92,7 +92,7 @@ class GSPOTrainer(trl.GRPOTrainer):
         return batch
 
     def draw(self, count: int) -> Drawn:
-        """The next prompts, read by the first process for all: there is one cursor, and nothing is read ahead.
+        """Return the next prompts, read by the first process for all: there is one cursor, and nothing is read ahead.
 
         All processes get all rows and take their slices; so prompts are used in the stream's order by any number.
         """
@@ -118,7 +118,7 @@ class GSPOTrainer(trl.GRPOTrainer):
             self.stream.observe(row, rewards)
 
     def _fits(self, row: Row) -> bool:
-        """Whether a prompt is short enough."""
+        """Return whether a prompt is short enough."""
         return len(self._tokenize_prompts([row["prompt"]])[0][0]) <= self.settings.max_prompt_tokens
 
     def answer(self, rows: Sequence[Row]) -> Answered:

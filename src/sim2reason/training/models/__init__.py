@@ -26,7 +26,7 @@ class ModelSettings(BaseModel, ABC):
 
     @abstractmethod
     def checkpoint(self, texts: Iterable[str], out: Path) -> Checkpoint:
-        """Where the model and its tokenizer lie, as they are before training.
+        """Return where the model and its tokenizer lie, as they are before training.
 
         `texts` are what it will read and write; they are looked at only by a kind that makes its tokenizer from them.
         What is made here is saved in the folder `out`, where it is found again by the same call.
@@ -37,7 +37,7 @@ class ModelSettings(BaseModel, ABC):
         """
 
     def load(self, texts: Iterable[str], out: Path) -> Loaded:
-        """The model and its tokenizer, ready to be trained.
+        """Return the model and its tokenizer, ready to be trained.
 
         Raises:
             TrainingError: there is no such model, or `out` holds another.
@@ -53,12 +53,12 @@ MODELS: Registry[type[ModelSettings]] = Registry("training.models")
 
 
 def model_given(given: object) -> object:
-    """The model that a configuration's settings describe; anything else as it is, to be refused later."""
+    """Return the model that a configuration's settings describe; anything else as it is, to be refused later."""
     return model_from(cast("Mapping[str, object]", given)) if isinstance(given, Mapping) else given
 
 
 def model_from(settings: Mapping[str, object], place: str = "model") -> ModelSettings:
-    """The model that settings describe; its `kind` is a registered name.
+    """Return the model that settings describe; its `kind` is a registered name.
 
     Raises:
         TrainingError: a setting that is unknown, missing or makes no sense.
@@ -68,7 +68,7 @@ def model_from(settings: Mapping[str, object], place: str = "model") -> ModelSet
 
 
 def spoken_to(tokenizer: External, path: str, *, chat: bool | Literal["auto"]) -> bool:
-    """Whether prompts are messages; TrainingError if they shall be, and the tokenizer has no chat template."""
+    """Return whether prompts are messages; TrainingError if they shall be, and the tokenizer has no chat template."""
     templated = tokenizer.chat_template is not None
     if chat is True and not templated:
         raise TrainingError(f"chat: the tokenizer of {path!r} has no chat template; set chat to false")

@@ -61,7 +61,7 @@ class Scratch(ModelSettings):
         return Checkpoint(str(out), precision="float32")
 
     def _held(self, out: Path) -> bool:
-        """Whether the folder holds this model, whole; TrainingError if it holds something else."""
+        """Return whether the folder holds this model, whole; TrainingError if it holds something else."""
         if not out.is_dir() or not any(out.iterdir()):
             return False
         try:
@@ -90,7 +90,7 @@ class Scratch(ModelSettings):
         scratch.rename(out)
 
     def _weights(self, tokenizer: External) -> External:
-        """A model of random weights, which leaves the global random state as it was."""
+        """Return a model of random weights, which leaves the global random state as it was."""
         torch, transformers = library("torch"), library("transformers")
         config = transformers.Qwen3Config(
             vocab_size=len(tokenizer),
@@ -124,7 +124,7 @@ class _Record(BaseModel):
 
 
 def _counted(texts: Iterable[str], digest: External) -> Iterator[str]:
-    """The same, and its hash."""
+    """Yield the same, and its hash."""
     for text in texts:
         held = text.encode(errors="replace")
         digest.update(len(held).to_bytes(8, "big") + held)

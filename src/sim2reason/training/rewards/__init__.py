@@ -32,7 +32,7 @@ REWARDS: Registry[type[Reward]] = Registry("training.rewards")
 
 
 def reward_from(settings: object) -> object:
-    """The reward of a name, or of settings whose `kind` is one; anything else stays what it is.
+    """Return the reward of a name, or of settings whose `kind` is one; anything else stays what it is.
 
     Raises:
         TrainingError: a setting that is unknown or makes no sense.
@@ -46,7 +46,7 @@ def reward_from(settings: object) -> object:
 
 
 def reward_function(reward: Reward) -> Callable[..., list[float | None]]:
-    """A reward as TRL calls it: completions are texts, or lists of messages, and each row has its problem."""
+    """Return a reward as TRL calls it: completions are texts, or lists of messages, and each row has its problem."""
 
     def earned(
         prompts: Sequence[object], completions: Sequence[object], *, problem: Sequence[str], **columns: object
@@ -64,7 +64,7 @@ def reward_function(reward: Reward) -> Callable[..., list[float | None]]:
 
 
 def _said(completion: object) -> str:
-    """The text of a completion."""
+    """Return the text of a completion."""
     if isinstance(completion, str):
         return completion
     messages = cast("Sequence[Mapping[str, Any]]", completion)

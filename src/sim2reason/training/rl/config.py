@@ -32,7 +32,7 @@ def _one_or_more(given: object) -> object:
 
 
 def _warm_start(given: object) -> object:
-    """Its folder is that of the run, which has its own place for it."""
+    """Return the settings of a warm start, whose folder is inside that of the run."""
     if not isinstance(given, Mapping):
         return given
     if "out" in given:
@@ -141,7 +141,7 @@ class ReinforcementLearning(_Settings):
 
     @property
     def decisive(self) -> dict[str, Any]:
-        """What decides the weights."""
+        """Return what decides the weights."""
         held = self.model_dump(
             mode="json",
             exclude={"out": True, "prefetch": True, "answers_together": True, "held_out": {"__all__": {"samples"}}},
@@ -161,7 +161,7 @@ class ReinforcementLearning(_Settings):
 def reinforcement_learning_from(
     config: "Path | str | Mapping[str, object] | ReinforcementLearning", out: Path | None = None
 ) -> ReinforcementLearning:
-    """What a YAML file, or settings, describe; `out` stands for the folder that they name.
+    """Return what a YAML file, or settings, describe; `out` stands for the folder that they name.
 
     Paths in it are seen from where the program runs.
 

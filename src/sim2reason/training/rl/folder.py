@@ -57,16 +57,16 @@ class TrainingFolder:
         claim(self.path / RL_PLAN, config.decisive, config.check, prepared)
 
     def is_prepared(self, config: ReinforcementLearning) -> bool:
-        """Whether all is there that comes before reinforcement learning."""
+        """Return whether all is there that comes before reinforcement learning."""
         warm = config.warm_start is None or SftFolder(self.warm_start).result() is not None
         return warm and (not config.held_out or self._avoided.is_file())
 
     def result(self) -> Trained | None:
-        """What came of a run that is finished."""
+        """Return what came of a run that is finished."""
         return result_in(self.path, Trained)
 
     def problems(self, name: str) -> Path:
-        """The file of a set that is held out."""
+        """Return the file of a set that is held out."""
         return self.held_out / f"{name}.jsonl"
 
     @property
@@ -113,7 +113,7 @@ class TrainingFolder:
 
 
 def _drawn(wanted: HeldOut, workers: int) -> list[Problem]:
-    """The first problems of a source, no two of the same numbers."""
+    """Return the first problems of a source, no two of the same numbers."""
     with prefetching(workers, 4 * max(workers, 1)) as store:
         stream, found = ProblemStream((wanted.problems,), store), dict[str, Problem]()
         while len(found) < wanted.items:

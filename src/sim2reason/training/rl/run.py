@@ -92,7 +92,7 @@ def _in_all_processes(
 
 @contextmanager
 def _entered(settings: ReinforcementLearning) -> Generator[tuple[TrainingFolder, External]]:
-    """The folder of the run, claimed by the main process, and accelerate's state."""
+    """Return the folder of the run, claimed by the main process, and accelerate's state."""
     torch = library("torch")
     without_cudnn_attention()
     state = library("accelerate").PartialState(cpu=not torch.accelerator.is_available(), timeout=PATIENCE)
@@ -149,7 +149,7 @@ def _train(settings: ReinforcementLearning, begun: Begun, advance: Advance) -> N
 def _checkpoint(
     settings: ReinforcementLearning, folder: TrainingFolder, avoid: frozenset[str], begun: Begun, advance: Advance
 ) -> Checkpoint:
-    """What is trained: the given one, or the result of the warm start."""
+    """Return what is trained: the given one, or the result of the warm start."""
     warm = settings.warm_start
     if warm is None:
         assert settings.model is not None
@@ -159,7 +159,7 @@ def _checkpoint(
 
 
 def _warm_start(given: FineTuning, folder: TrainingFolder) -> FineTuning:
-    """The same, in the folder of the run."""
+    """Return the same, in the folder of the run."""
     return given.model_copy(update={"out": folder.warm_start})
 
 

@@ -28,13 +28,13 @@ def batches_by_length(lengths: Sequence[int], batch: int, seed: int, epoch: int)
 
 
 def sampler_by_length(lengths: Sequence[int], batch: int, seed: int) -> External:
-    """What torch's loaders take: the same order in each run, another in each pass."""
+    """Return what torch's loaders take: the same order in each run, another in each pass."""
     return _sampler()(lengths, batch, seed)
 
 
 @cache
 def _sampler() -> External:
-    """The class, made when torch is there."""
+    """Return the class, made when torch is there."""
 
     class ByLength(library("torch.utils.data").Sampler):
         def __init__(self, lengths: Sequence[int], batch: int, seed: int) -> None:

@@ -120,7 +120,7 @@ class FineTuning(BaseModel):
 
     @property
     def decisive(self) -> dict[str, Any]:
-        """What decides the weights, with the kinds of model and corpora."""
+        """Return what decides the weights, with the kinds of model and corpora."""
         held = self.model_dump(mode="json", exclude=set(self.operational))
         held["model"] = {"kind": MODELS.name_of(self.model), **held["model"]}
         held["corpora"] = [
@@ -130,7 +130,7 @@ class FineTuning(BaseModel):
         return held
 
     def steps_of(self, rows: int) -> int:
-        """How many steps a run over so many rows takes."""
+        """Return how many steps a run over so many rows takes."""
         return self.steps if self.steps is not None else min(MOST_STEPS, max(1, self._steps_of_epochs(rows)))
 
     def _steps_of_epochs(self, rows: int) -> int:
@@ -151,7 +151,7 @@ class FineTuning(BaseModel):
 
 
 def fine_tuning_from(config: "Path | str | Mapping[str, object] | FineTuning", out: Path | None = None) -> FineTuning:
-    """What a YAML file, or settings, describe; `out` stands for the folder that they name.
+    """Return what a YAML file, or settings, describe; `out` stands for the folder that they name.
 
     Paths in it are seen from where the program runs.
 
@@ -201,11 +201,11 @@ class SftFolder:
 
     @property
     def prepared(self) -> tuple[Path, ...]:
-        """What comes before the first step of training."""
+        """Return what comes before the first step of training."""
         return *(self.path / name for name in (SFT_PLAN, ROWS, CORPORA_FOLDER)), self.initial
 
     def result(self) -> FineTuned | None:
-        """What came of a run that is finished."""
+        """Return what came of a run that is finished."""
         return result_in(self.path, FineTuned)
 
     def finish(self, result: FineTuned) -> None:
@@ -226,15 +226,15 @@ class SftFolder:
         put_text(self.path / CORPORA_FOLDER, canonical([asdict(each) for each in mix.corpora]), self.path)
 
     def rows(self) -> list[Row]:
-        """All rows in their order."""
+        """Return all rows in their order."""
         return list(rows_in(self.path / ROWS))
 
     def corpora(self) -> list[dict[str, JsonValue]]:
-        """What each corpus gave."""
+        """Return what each corpus gave."""
         return json.loads((self.path / CORPORA_FOLDER).read_text("utf-8"))
 
     def checkpoint(self) -> Path | None:
-        """The last whole checkpoint; None before the first."""
+        """Return the last whole checkpoint; None before the first."""
         found = {
             int(path.parent.name.removeprefix(CHECKPOINT)): path.parent
             for path in self.checkpoints.glob(f"{CHECKPOINT}[0-9]*/{WHOLE}")

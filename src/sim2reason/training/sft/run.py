@@ -140,7 +140,7 @@ def _limits(config: FineTuning, loaded: Loaded) -> Limits:
 
 
 def _texts(rows: Sequence[Row]) -> Iterator[str]:
-    """All that a model reads and writes."""
+    """Return all that a model reads and writes."""
     return (text for row in rows for text in (row.prompt, row.completion))
 
 
@@ -165,7 +165,7 @@ def _saved(run: External, loaded: Loaded, folder: SftFolder, config: FineTuning)
 
 
 def _last_loss(run: External) -> float:
-    """The loss of the last line of the log; of all steps where there are fewer than a line takes."""
+    """Return the loss of the last line of the log; of all steps where there are fewer than a line takes."""
     lines = [line for line in run.state.log_history if "loss" in line or "train_loss" in line]
     last = next((line["loss"] for line in reversed(lines) if "loss" in line), lines[-1].get("train_loss"))
     return float(last)

@@ -32,7 +32,7 @@ Advance = Callable[[int], object]
 
 
 def arguments(config: FineTuning, checkpoints: Path, steps: int, devices: int) -> External:
-    """The configuration as TRL has it."""
+    """Return the configuration as TRL has it."""
     torch = library("torch")
     micro, accumulated = config.accumulated(devices)
     cpu = config.device == "cpu" or not torch.cuda.is_available()
@@ -107,7 +107,7 @@ class _Silent:
 
 @cache
 def _trainer() -> External:
-    """The class, made when TRL is there."""
+    """Return the class, made when TRL is there."""
 
     class Trainer(_Silent, library("trl").SFTTrainer):
         """TRL's, with what this module says."""
@@ -145,7 +145,7 @@ def _trainer() -> External:
 
 
 def _scale(trainer: External) -> int:
-    """How many times the loss of one process counts: several processes' gradients are averaged."""
+    """Return how many times the loss of one process counts: several processes' gradients are averaged."""
     return trainer.accelerator.num_processes if trainer.args.average_tokens_across_devices else 1
 
 
@@ -164,7 +164,7 @@ def _loss(model: External, inputs: External, tokens: External, scale: int) -> Ex
 
 @cache
 def _callback() -> External:
-    """The class, made when transformers is there."""
+    """Return the class, made when transformers is there."""
 
     class SftCallback(library("transformers").TrainerCallback):
         """Writes our log, and marks checkpoints that are whole."""

@@ -43,7 +43,7 @@ SOURCES: Registry[type[ProblemSource]] = Registry("training.sources")
 
 
 def source_from(settings: Mapping[str, object], place: str) -> ProblemSource:
-    """The source that settings describe; its `kind` is a registered name.
+    """Return the source that settings describe; its `kind` is a registered name.
 
     Raises:
         TrainingError: a setting that is unknown, missing or makes no sense.

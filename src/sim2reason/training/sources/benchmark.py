@@ -58,7 +58,7 @@ class BenchmarkSource(ProblemSource):
         return tuple(self._held)
 
     def at(self, cell: str, index: int) -> Problem | None:
-        """The `index`-th of its passes, each through all of the cell."""
+        """Return the `index`-th of its passes, each through all of the cell."""
         held = self._held[cell]
         turn, place = divmod(index, len(held))
         order = generator("order", self.seed, self.name, cell, turn).permutation(len(held))
@@ -66,6 +66,6 @@ class BenchmarkSource(ProblemSource):
         return Problem(item=item, source=self.name, cell=cell)
 
     def items(self) -> Iterator[BenchmarkItem]:
-        """All that it holds."""
+        """Yield all that it holds."""
         for held in self._held.values():
             yield from held

@@ -98,7 +98,7 @@ class Fresh(Chosen, ProblemSource):
         return tuple(self._configs)
 
     def request(self, cell: str, index: int) -> Request:
-        """The order for the problem of that index."""
+        """Return the order for the problem of that index."""
         return replace(self._configs[cell].request(index), quantities=self.quantities)
 
     def at(self, cell: str, index: int) -> Problem | None:
@@ -110,7 +110,7 @@ class Fresh(Chosen, ProblemSource):
 
 
 def fingerprint(item: Item) -> str:
-    """A hash that two items share if they are one problem with the same numbers, in whatever words."""
+    """Return a hash that two items share if they are one problem with the same numbers, in whatever words."""
     found = variant(item)
     text = f"{found.problem}\n{[round(each, ROUNDED) for each in found.logarithms]}"
     return blake2b(text.encode(), digest_size=8).hexdigest()

@@ -25,7 +25,7 @@ SEEDS = TypeAdapter[tuple[int, ...]](Seeds)
 
 
 def _base(given: object) -> object:
-    """The settings themselves, or a file of them."""
+    """Return the settings themselves, or a file of them."""
     return settings_in(Path(given)) if isinstance(given, str | Path) else given
 
 
@@ -79,16 +79,16 @@ class TrainingStudy(BaseModel):
         return [Arm(name, seed) for seed in seeds for name in self.arms if seed in self.seeds_of(name)]
 
     def seeds_of(self, arm: str) -> tuple[int, ...]:
-        """Those of an arm; ValueError if what it gives are none."""
+        """Return those of an arm; ValueError if what it gives are none."""
         return SEEDS.validate_python(self.arms[arm]["seeds"]) if "seeds" in self.arms[arm] else self.seeds
 
     def first(self, arm: str) -> ReinforcementLearning:
-        """The run of an arm with its first seed."""
+        """Return the run of an arm with its first seed."""
         return self.configs[Arm(arm, self.seeds_of(arm)[0])]
 
     @cached_property
     def settings(self) -> dict[Arm, Settings]:
-        """What ``train rl`` is given for each run."""
+        """Return what ``train rl`` is given for each run."""
         return {arm: self._settings(arm) for arm in self.runs}
 
     @cached_property
@@ -127,7 +127,7 @@ def _merged(base: Mapping[str, Any], change: Mapping[str, Any]) -> Settings:
 
 
 def _drawn_anew(given: object, seed: int) -> object:
-    """A source of problems as a run of that seed draws from it; a file has no seed."""
+    """Return a source of problems as a run of that seed draws from it; a file has no seed."""
     if not isinstance(given, Mapping) or "seed" not in given:
         return cast("object", given)
     settings = cast("Settings", given)
@@ -136,7 +136,7 @@ def _drawn_anew(given: object, seed: int) -> object:
 
 
 def study_from(config: "Path | str | Mapping[str, object] | TrainingStudy", out: Path | None = None) -> TrainingStudy:
-    """What a YAML file, or settings, describe; `out` stands for the folder that they name.
+    """Return what a YAML file, or settings, describe; `out` stands for the folder that they name.
 
     Paths in it are seen from where the program runs.
 

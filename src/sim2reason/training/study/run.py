@@ -113,7 +113,7 @@ def _claim(study: TrainingStudy, arm: Arm) -> None:
 
 
 def _finished(study: TrainingStudy, arm: Arm) -> bool:
-    """Whether a run is trained, and reported on."""
+    """Return whether a run is trained, and reported on."""
     folder = _folder(study, arm)
     return folder.result() is not None and folder.report.is_file()
 

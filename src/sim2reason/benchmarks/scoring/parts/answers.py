@@ -21,7 +21,7 @@ OPENS, CLOSES = "([{", ")]}"
 
 
 def after_thinking(response: str) -> str:
-    """What is said after the thinking; empty if that never ends or the response is far too long."""
+    """Return what is said after the thinking; empty if that never ends or the response is far too long."""
     try:
         return spoken(response)
     except Refused:
@@ -29,7 +29,7 @@ def after_thinking(response: str) -> str:
 
 
 def boxes(response: str) -> list[str]:
-    """The contents of all outermost boxes after the thinking, in order; none is longer than 1000 characters.
+    """Return the contents of all outermost boxes after the thinking, in order; none is longer than 1000 characters.
 
     Those that print hides or words deny are left out.
     """
@@ -44,12 +44,12 @@ def boxes(response: str) -> list[str]:
 
 
 def in_box(answer: str) -> str:
-    """A response that has nothing but this answer."""
+    """Return a response that has nothing but this answer."""
     return rf"\boxed{{{answer}}}"
 
 
 def parts(answer: str, *, thousands: bool = True) -> list[str]:
-    """What stands between commas, semicolons or *and* outside all brackets, without dollars.
+    """Return what stands between commas, semicolons or *and* outside all brackets, without dollars.
 
     With `thousands` a comma before three digits belongs to a number.
     """
@@ -99,7 +99,7 @@ def chosen(content: str) -> frozenset[str] | None:
 
 
 def said_without_box(response: str) -> frozenset[str] | None:
-    """The options of the last *answer is …* near the end of a response; None if there is none."""
+    """Return the options of the last *answer is …* near the end of a response; None if there is none."""
     *_, last = [None, *_SAID.finditer(after_thinking(response)[-LAST:])]
     return None if last is None else frozenset(re.findall("[A-D]", last[1]))
 
@@ -129,7 +129,7 @@ def agrees(right: str, said: str, tolerance: float) -> bool | None:
 
 
 def unit_or_none(text: object) -> str | None:
-    """The name of a unit of our table; None for one that it does not hold, and where none is said."""
+    """Return the name of a unit of our table; None for one that it does not hold, and where none is said."""
     if not isinstance(text, str) or not text.strip(" $"):
         return None
     try:

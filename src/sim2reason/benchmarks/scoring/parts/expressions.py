@@ -44,13 +44,13 @@ def _squeezed(text: str) -> str:
 
 
 def name_of(text: str) -> str:
-    """What an answer calls its value, as in *v = …*; empty for a value alone and for an equation."""
+    """Return what an answer calls its value, as in *v = …*; empty for a value alone and for an equation."""
     left, equals, _ = text.replace("$", "").partition("=")
     return left.replace("{", "").replace("}", "") if equals and _NAME.fullmatch(left.strip()) else ""
 
 
 def is_equation(text: str) -> bool:
-    """Whether an answer relates its symbols, and does not merely name a value."""
+    """Return whether an answer relates its symbols, and does not merely name a value."""
     return "=" in text and not name_of(text)
 
 
@@ -87,7 +87,7 @@ def equivalent_equations(right: str, said: str) -> bool | None:
 
 @lru_cache(maxsize=1024)
 def _difference(equation: str, symbols: frozenset[str] | None) -> tuple[Node, frozenset[str]] | None:
-    """The left side less the right one, and the symbols in them; None for what is no single equation."""
+    """Return the left side less the right one, and the symbols in them; None for what is no single equation."""
     left, equals, right = equation.replace("&", "").replace("$", "").partition("=")
     if not equals or "=" in right:
         return None

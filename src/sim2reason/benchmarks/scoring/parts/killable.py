@@ -25,7 +25,7 @@ class Killable(Generic[R]):
         self._lock = Lock()
 
     def __call__(self, *texts: str) -> R | None:
-        """What the function gives; None if it raised, took too long or crashed."""
+        """Return what the function gives; None if it raised, took too long or crashed."""
         with self._lock:
             pipe = self._started()
             if pipe is None:

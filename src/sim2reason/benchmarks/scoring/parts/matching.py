@@ -9,7 +9,7 @@ T = TypeVar("T")
 
 
 def paired(right: Sequence[T], said: Sequence[str], fits: Callable[[T, str], bool]) -> bool:
-    """Whether all of `right` can be paired with all of `said`, each with one that fits (Kuhn's algorithm)."""
+    """Return whether all of `right` can be paired with all of `said`, each with one that fits (Kuhn's algorithm)."""
     if len(right) != len(said):
         return False
     good = [[place for place, answer in enumerate(said) if fits(each, answer)] for each in right]

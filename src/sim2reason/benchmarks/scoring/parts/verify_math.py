@@ -8,7 +8,7 @@ __all__ = ["verified"]
 
 
 def verified(answer: str, said: str) -> tuple[bool, bool, str]:
-    """Whether `said` could be read, whether it equals `answer`, and what was read; both hold a box."""
+    """Return whether `said` could be read, whether it equals `answer`, and what was read; both hold a box."""
     library: Any = import_module("math_verify")
     logging.getLogger("math_verify").setLevel(logging.ERROR)  # it warns of the missing limits at each call
     limit = {"parsing_timeout": None}  # its own limits use signals; this process is killed instead

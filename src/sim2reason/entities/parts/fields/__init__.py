@@ -1,4 +1,4 @@
-"""Fields that act on a charged bead in the x-y plane, one file each: their sentence, and the law of their force."""
+"""Fields that act on a charged bead in the x-y plane: their sentence, and the law of their force."""
 
 from collections.abc import Mapping
 from typing import Annotated, Literal, TypeVar
@@ -32,15 +32,15 @@ class ForceField(Part):
 
     @classmethod
     def variants(cls) -> tuple[type[Model], ...]:
-        """The fields that are registered under this base."""
+        """Return the fields that are registered under this base."""
         return tuple(kind for kind in FIELDS.values() if issubclass(kind, cls))
 
     def law(self, charge: float) -> Law:
-        """The force on a charge, uC, in uN, at places in m and times in s."""
+        """Return the force on a charge, uC, in uN, at places in m and times in s."""
         raise NotImplementedError
 
     def rate(self, charge: float, mass: float) -> float:
-        """How fast it turns, swings, slows or drives a bead away, 1/s; 0 where nothing sets a time."""
+        """Return how fast it turns, swings, slows or drives a bead away, 1/s; 0 where nothing sets a time."""
         del charge, mass
         return 0.0
 
@@ -94,6 +94,6 @@ component, and what that does, so that no text speaks of a component in a negati
 
 
 def along(way: str) -> Vector:
-    """The unit vector of a direction in words."""
+    """Return the unit vector of a direction in words."""
     side, axis = way.split()
     return scale(1.0 if side == "positive" else -1.0, AXES[axis])

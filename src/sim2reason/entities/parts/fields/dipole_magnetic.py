@@ -73,5 +73,5 @@ class DipoleMagnetic(MagneticField):
         return DipoleForce((self.x, self.y, 0.0), along(self.way), charge * self.strength)
 
     def rate(self, charge: float, mass: float) -> float:
-        """The cyclotron frequency at the origin."""
+        """Return the cyclotron frequency at the origin."""
         return abs(charge) * self.strength / hypot(self.x, self.y) ** 3 / mass

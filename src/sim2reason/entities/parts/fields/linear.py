@@ -55,7 +55,7 @@ class LinearElectric(ElectricField):
 
     @classmethod
     def fitted(cls, drawn: Mapping[str, object], rng: np.random.Generator) -> Mapping[str, object]:
-        """The axis of its direction."""
+        """Return the axis of its direction."""
         del rng
         return {"axis": str(drawn["way"])[-1]}
 
@@ -108,5 +108,5 @@ class LinearMagnetic(MagneticField):
         return Magnetic(along(self.way), Profile(charge * self.strength, charge * slope, AXES[self.axis]))
 
     def rate(self, charge: float, mass: float) -> float:
-        """The cyclotron frequency at the origin."""
+        """Return the cyclotron frequency at the origin."""
         return abs(charge) * self.strength / mass

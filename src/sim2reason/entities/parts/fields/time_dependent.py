@@ -47,7 +47,7 @@ class GrowingElectric(ElectricField):
         return Push(along(self.way), Profile(charge * self.strength, rate=charge * growth))
 
     def rate(self, charge: float, mass: float) -> float:
-        """The strength at the start, compared with its growth."""
+        """Return the strength at the start, compared with its growth."""
         del charge, mass
         return 2.0 * self.growth / self.strength
 
@@ -84,6 +84,6 @@ class OscillatingElectric(ElectricField):
         return Push(along(self.way), Profile(charge * self.strength, frequency=self.frequency, phase=phase))
 
     def rate(self, charge: float, mass: float) -> float:
-        """Its own."""
+        """Return its own."""
         del charge, mass
         return self.frequency

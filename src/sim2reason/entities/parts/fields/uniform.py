@@ -54,5 +54,5 @@ class UniformMagnetic(MagneticField):
         return Magnetic(along(self.way), Profile(charge * self.strength))
 
     def rate(self, charge: float, mass: float) -> float:
-        """The cyclotron frequency |q|B/m."""
+        """Return the cyclotron frequency |q|B/m."""
         return abs(charge) * self.strength / mass

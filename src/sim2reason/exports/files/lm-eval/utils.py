@@ -10,12 +10,12 @@ DATA = Path(__file__).resolve().parent / "data"
 
 
 def problems(**settings: object) -> datasets.DatasetDict:
-    """All splits of this folder."""
+    """Return all splits of this folder."""
     del settings
     files = {path.stem: str(path) for path in sorted(DATA.glob("*.jsonl"))}
     return datasets.load_dataset("json", data_files=files)
 
 
 def process_results(doc: dict[str, str], results: list[str]) -> dict[str, float]:
-    """One response to one problem."""
+    """Return one response to one problem."""
     return {"accuracy": score(doc["ground_truth"], results[0]).reward}

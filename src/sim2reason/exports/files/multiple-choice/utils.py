@@ -9,18 +9,18 @@ DATA = Path(__file__).resolve().parent / "data"
 
 
 def problems(**settings: object) -> datasets.DatasetDict:
-    """All splits of this folder."""
+    """Return all splits of this folder."""
     del settings
     files = {path.stem: str(path) for path in sorted(DATA.glob("*.jsonl"))}
     return datasets.load_dataset("json", data_files=files)
 
 
 def text(doc: dict[str, Any]) -> str:
-    """The question with its choices, before a letter."""
+    """Return the question with its choices, before a letter."""
     listed = "\n".join(f"{letter}. {choice}" for letter, choice in zip(letters(doc), doc["choices"], strict=True))
     return f"{doc['question']}\n\n{listed}\n\nAnswer:"
 
 
 def letters(doc: dict[str, Any]) -> list[str]:
-    """The letters of a problem's choices."""
+    """Return the letters of a problem's choices."""
     return list("ABCDE"[: len(doc["choices"])])

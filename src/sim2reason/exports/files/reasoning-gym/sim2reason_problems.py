@@ -76,7 +76,7 @@ class Problems(Graded):
         Random(config.seed).shuffle(self.rows)
 
     def __getitem__(self, idx: int) -> dict[str, Any]:
-        """A problem with its answer and what it is graded by."""
+        """Return a problem with its answer and what it is graded by."""
         return self.told(self.rows[idx % len(self.rows)], idx)
 
 

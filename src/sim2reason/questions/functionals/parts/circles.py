@@ -10,13 +10,13 @@ from sim2reason.simulation.trace import Trace
 
 
 def circles(mechanism: Mechanism, name: str) -> bool:
-    """Whether a body turns about a single axle of the room, or hangs on a string from a point of the room."""
+    """Return whether a body turns about a single axle of the room, or hangs on a string from a point of the room."""
     kinds = [c.kind for body in chain(mechanism, name) for c in body.coordinates]
     return kinds == ["hinge"] or _hangs(mechanism, name)
 
 
 def _hangs(mechanism: Mechanism, name: str) -> bool:
-    """Whether the only line is a string from a point of the room to a body."""
+    """Return whether the only line is a string from a point of the room to a body."""
     if len(mechanism.lines) != 1 or not isinstance(mechanism.lines[0].law, Inextensible):
         return False
     ends = [mechanism.site[site].body for site in mechanism.lines[0].through]
@@ -24,7 +24,7 @@ def _hangs(mechanism: Mechanism, name: str) -> bool:
 
 
 def leaves_circle(trace: Trace, end: float) -> bool:
-    """Whether a string goes slack up to a time, s."""
+    """Return whether a string goes slack up to a time, s."""
     return any(event.kind == "slack" and event.time <= end for event in trace.events)
 
 

@@ -69,19 +69,19 @@ class Extreme(Functional):
         cls.center = quantity.center
 
     def height(self, state: State, name: str) -> Array:
-        """What is greatest, (n,): by default the size of the quantity, of the least value with a minus sign."""
+        """Return what is greatest, (n,): by default the size of the quantity, of the least value with a minus sign."""
         values = self.quantity.evaluate(state, name)
         if self.sense is not None:
             return self.sign * (values @ np.array(self.sense.vector))
         return self.sign * (np.abs(values) if values.ndim == 1 else np.linalg.norm(values, axis=1))
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """The quantity."""
+        """Return the quantity."""
         del mechanism
         return (Channel(name, self.quantity.name),)
 
     def present(self, words: Words, name: str) -> bool:
-        """Whether the subject has the quantity."""
+        """Return whether the subject has the quantity."""
         return QUANTITIES[self.quantity.name].present(words.mechanism, name)
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
@@ -91,7 +91,7 @@ class Extreme(Functional):
         return moment.phrases(words) if not moment.drifts or self.name in PLACELESS else ()
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """The size of the highest of all tops, if nothing in the stretch is higher."""
+        """Return the size of the highest of all tops, if nothing in the stretch is higher."""
         if self._unbounded(trace, end):
             return None
         times, heights = self._sampled(trace, name, end)
@@ -115,7 +115,7 @@ class Extreme(Functional):
         return value if value > 0.0 and not (jumps or flat or beyond or ends > top - CLEAR * size) else None
 
     def loose_value(self, trace: Trace, name: str, end: float) -> float | None:
-        """The greatest value, wherever in the stretch it is."""
+        """Return the greatest value, wherever in the stretch it is."""
         return None if self._unbounded(trace, end) else self.between(trace, name, 0.0, end)
 
     def between(self, trace: Trace, name: str, began: float, end: float) -> float | None:
@@ -135,14 +135,14 @@ class Extreme(Functional):
         return self.impulsive and any(event.kind in IMPACTS and event.time <= end for event in trace.events)
 
     def _sampled(self, trace: Trace, name: str, end: float) -> tuple[Array, Array]:
-        """The function on the scan up to a time, s, and at that time."""
+        """Return the function on the scan up to a time, s, and at that time."""
         scan = trace.scan
         within = scan.times < end
         last = self.height(trace.at(end), name)
         return np.append(scan.times[within], end), np.append(self.height(scan, name)[within], last)
 
     def _highest(self, trace: Trace, name: str, times: Array, tops: NDArray[np.intp]) -> tuple[int, float]:
-        """The sample nearest to the highest top, and how high that is."""
+        """Return the sample nearest to the highest top, and how high that is."""
         low, high = times[tops - 1], times[tops + 1]
         shares = np.linspace(0.0, 1.0, PIECES + 1)
         best = np.zeros(len(tops))
@@ -157,7 +157,7 @@ class Extreme(Functional):
 
 
 def _tops(heights: Array) -> tuple[NDArray[np.intp], float]:
-    """The inner samples higher than both neighbours that may lie at the highest top, and about how high that is.
+    """Return the inner samples higher than both neighbours that may lie at the highest top, and about how high that is.
 
     Parabolas through each three samples tell; of two equal samples with a top between them both may count.
     """

@@ -22,7 +22,7 @@ from sim2reason.simulation.trace import Event, Trace
 
 
 def encounter(moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-    """As in: in their second collision, when A hits the ground for the second time.
+    """Return a text such as *in their second collision, when A hits the ground for the second time*.
 
     Empty for a moment that is not just after one of `name`.
     """
@@ -57,18 +57,18 @@ class EventCount(Functional):
 
     @abstractmethod
     def times(self, trace: Trace, name: str) -> Sequence[float]:
-        """When it happens, s, in order."""
+        """Return when it happens, s, in order."""
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
         """Not of a stretch that ends with a collision by its number, which may tell the answer."""
         return () if isinstance(moment, Collided | Bounced) else super().when(moment, words, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """How many there are."""
+        """Return how many there are."""
         return float(sum(time <= end for time in self.times(trace, name)))
 
     def worth(self, study: Study, name: str, end: float) -> bool:
-        """Whether there are some, and none where no one could tell by stated numbers whether it counts."""
+        """Return whether there are some, and none where no one could tell by stated numbers whether it counts."""
         times = self.times(study.trace, name)
         near = any(0.0 < abs(time - end) < CLEAR * end for time in times)
         return self.fewest <= (self.value(study.trace, name, end) or 0.0) <= MOST and not near
@@ -84,15 +84,15 @@ class Integral(Functional):
 
     @abstractmethod
     def rate(self, state: State, name: str) -> Array:
-        """What is integrated, (n,), in the unit per second."""
+        """Return what is integrated, (n,), in the unit per second."""
 
     def corners(self, trace: Trace, name: str) -> Iterable[float]:
-        """When the rate has a corner though nothing happens, s; by default never."""
+        """Return when the rate has a corner though nothing happens, s; by default never."""
         del trace, name
         return ()
 
     def worth(self, study: Study, name: str, end: float) -> bool:
-        """Whether it still grows shortly before the end of the stretch: else that end decorates the question."""
+        """Return whether it still grows shortly before the end of the stretch: else that end decorates the question."""
         scan = study.trace.scan
         rates, within = np.abs(self.rate(scan, name)), scan.times <= end
         late = rates[within & (scan.times >= LATE * end)]
@@ -116,17 +116,17 @@ def jumps(trace: Trace, of: Callable[[State], Array], times: Iterable[float]) ->
 
 
 def hits(trace: Trace, end: float, chosen: Callable[[Event], bool] = lambda _: True) -> list[float]:
-    """The times, s, of collisions of a kind up to an instant, in order, each event for itself."""
+    """Return the times, s, of collisions of a kind up to an instant, in order, each event for itself."""
     return [event.time for event in trace.events if event.kind == "collision" and event.time <= end and chosen(event)]
 
 
 def is_smooth(trace: Trace, end: float) -> bool:
-    """Whether no impact happens up to an instant, so that no force is greater than any."""
+    """Return whether no impact happens up to an instant, so that no force is greater than any."""
     return not any(event.kind in IMPACTS and event.time <= end for event in trace.events)
 
 
 def energy_lost(trace: Trace, times: Iterable[float]) -> float:
-    """The kinetic energy, J, that all bodies lose together at some instants."""
+    """Return the kinetic energy, J, that all bodies lose together at some instants."""
 
     def kinetic(state: State) -> Array:
         return np.sum([KineticEnergy.evaluate(state, body) for body in massive(state.mechanism)], axis=0)
@@ -135,17 +135,17 @@ def energy_lost(trace: Trace, times: Iterable[float]) -> float:
 
 
 def massive(mechanism: Mechanism) -> Sequence[str]:
-    """The names of all bodies with a mass."""
+    """Return the names of all bodies with a mass."""
     return [body.name for body in mechanism.bodies if body.mass > 0.0]
 
 
 def energies(mechanism: Mechanism) -> tuple[Channel, ...]:
-    """What a loss of kinetic energy hangs on."""
+    """Return what a loss of kinetic energy hangs on."""
     return tuple(Channel(name, KineticEnergy.name) for name in massive(mechanism))
 
 
 def is_loose(mechanism: Mechanism, name: str) -> bool:
-    """Whether nothing but faces holds a body at an impact: no line, no hinge, no rider."""
+    """Return whether nothing but faces holds a body at an impact: no line, no hinge, no rider."""
     tied = {mechanism.site[s].body for line in mechanism.lines if _holds(line.law) for s in line.through}
     body = mechanism.body[name]
     ridden = any(other.parent == name for other in mechanism.bodies)

@@ -67,7 +67,7 @@ class NestedKind(Kind):
     inner: ClassVar[tuple[str, ...]] = INNER
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """A question of another kind and a number, if they are worth it."""
+        """Return a question of another kind and a number, if they are worth it."""
         if study.mechanism is not study.scene.mechanism:
             return None
         shares = np.array([KINDS[name].share for name in self.inner])
@@ -90,18 +90,18 @@ class NestedKind(Kind):
         return [paths[number] for number in order]
 
     def _is_named(self, inner: Query, words: Words, targets: Targets) -> bool:
-        """Whether the answer to another question has a name about which this may be asked."""
+        """Return whether the answer to another question has a name about which this may be asked."""
         noun = targets.get(inner.target) if inner.target is not None else None
         names = KINDS[inner.kind].called(inner, words, noun) if noun is not None or inner.target is None else ()
         return bool(names) and self._can_be_about(names[0])
 
     def _can_be_about(self, name: str) -> bool:
-        """Whether one would ask this of what has a name; by default not of how much something changes."""
+        """Return whether one would ask this of what has a name; by default not of how much something changes."""
         return not name.startswith(AWKWARD)
 
     @abstractmethod
     def _worth(self, inner: Query, path: str, study: Study, rng: np.random.Generator) -> Query | None:
-        """A query about another query and a number, or None if it is not worth asking."""
+        """Return a query about another query and a number, or None if it is not worth asking."""
 
     def of_motion(self, query: Query) -> bool:
         """As the other question has it."""
@@ -109,7 +109,7 @@ class NestedKind(Kind):
         return KINDS[inner.kind].of_motion(inner)
 
     def channels(self, query: Query) -> tuple[Channel, ...]:
-        """Those of the other question."""
+        """Return those of the other question."""
         inner = inner_of(query)
         return KINDS[inner.kind].channels(inner)
 
@@ -119,29 +119,29 @@ class NestedKind(Kind):
         return KINDS[inner.kind].indifferent(inner, study, other)
 
     def names(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """The noun phrases for the answer to the other question."""
+        """Return the noun phrases for the answer to the other question."""
         inner = inner_of(query)
         return KINDS[inner.kind].called(inner, words, noun)
 
     def inner_parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
-        """All other questions that a sentence could speak of."""
+        """Yield all other questions that a sentence could speak of."""
         for name in self.inner:
             yield from filter(is_plain, KINDS[name].parsed(text, study, words, targets))
 
 
 def inner_of(query: Query) -> Query:
-    """The other query that a query is about."""
+    """Return the other query that a query is about."""
     assert isinstance(query, NestedQuery)
     return query.inner
 
 
 def stripped(inner: Query) -> Query:
-    """A query without its target and moment, which the query about it has itself."""
+    """Return a query without its target and moment, which the query about it has itself."""
     return replace(inner, target=None, moment=None)
 
 
 def answered(inner: Query, study: Study | None, *, loosely: bool = False) -> float | None:
-    """The answer to a query in a motion as far as that may be used; None without a motion or an answer."""
+    """Return the answer to a query in a motion as far as that may be used; None without a motion or an answer."""
     if study is None or not _has_subject(inner, study):
         return None
     kind = KINDS[inner.kind]
@@ -161,7 +161,7 @@ def vouched(inner: Query, other: Study) -> str:
 
 
 def _has_subject(inner: Query, study: Study) -> bool:
-    """Whether a changed mechanism still has what is asked about."""
+    """Return whether a changed mechanism still has what is asked about."""
     target = inner.target
     return target is None or target.subject in QUANTITIES[target.quantity].subjects(study.mechanism)
 
@@ -172,7 +172,7 @@ def _is_natural(inner: Query) -> bool:
 
 
 def is_plain(inner: Query) -> bool:
-    """Whether it asks for a size of a quantity that has a value as a number."""
+    """Return whether it asks for a size of a quantity that has a value as a number."""
     if isinstance(inner, StretchQuery):
         return FUNCTIONALS[inner.functional].kind != "count"
     return inner.target is None or inner.target.sense is None or inner.target.sense.fixed

@@ -57,7 +57,7 @@ class StretchKind(Kind):
     ends_matter: ClassVar[bool] = True
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """A functional that a stretch of this motion has, and that is worth asking for."""
+        """Return a functional that a stretch of this motion has, and that is worth asking for."""
         del targets
         offers = any(True for _ in self._offered(words))
         return self._to(_ends(study, words, rng), study, words, rng) if offers else None
@@ -65,12 +65,12 @@ class StretchKind(Kind):
     def at(
         self, moment: Moment, study: Study, words: Words, targets: Targets, rng: np.random.Generator
     ) -> Query | None:
-        """A functional of the stretch that ends with that moment."""
+        """Return a functional of the stretch that ends with that moment."""
         del targets
         return self._to([moment], study, words, rng)
 
     def _to(self, ends: Iterable[Moment], study: Study, words: Words, rng: np.random.Generator) -> Query | None:
-        """A functional of a stretch with one of these ends."""
+        """Return a functional of a stretch with one of these ends."""
         offered = [found for found in self._offered(words) if found[0].drawn_by_recipes]
         if not self.ends_matter:
             ends = (moment for moment in ends if not moment.stated)
@@ -100,7 +100,7 @@ class StretchKind(Kind):
         return functional.worth(study, query.name, end) and (self._end_matters(query, study) or self.whole)
 
     def _end_matters(self, query: StretchQuery, study: Study) -> bool:
-        """Whether another end would change the answer, if one may ask that of this kind."""
+        """Return whether another end would change the answer, if one may ask that of this kind."""
         functional, moment = FUNCTIONALS[query.functional], query.moment
         if not self.ends_matter or moment is None:
             return True
@@ -113,7 +113,7 @@ class StretchKind(Kind):
         return time is not None and hangs_on(moment, study.trace, time, values)
 
     def answer(self, query: Query, study: Study) -> float | None:
-        """The functional's value."""
+        """Return the functional's value."""
         assert isinstance(query, StretchQuery)
         return _value(query, study)
 
@@ -172,7 +172,7 @@ class StretchKind(Kind):
         return StretchQuery(self.name, None, end, found.name, resolved("of", asked.of, names))
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
-        """Every functional of every subject that it names, to every moment that it speaks of."""
+        """Yield every functional of every subject that it names, to every moment that it speaks of."""
         del targets
         heard = [
             (functional, name)
@@ -188,20 +188,20 @@ class StretchKind(Kind):
                     yield StretchQuery(self.name, None, moment, functional.name, name)
 
     def measured(self, query: Query) -> Measured:
-        """The functional."""
+        """Return the functional."""
         assert isinstance(query, StretchQuery)
         found = FUNCTIONALS[query.functional]
         return Measured(found.name, found.unit, found.least, whole=self.whole)
 
     def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
-        """What the functional is made of must be certified all the while, and all events up to its end."""
+        """Return why the channels of the functional, or events up to its end, are not certified; empty if they are."""
         assert isinstance(query, StretchQuery)
         channels = FUNCTIONALS[query.functional].channels(study.mechanism, query.name)
         return doubt(certificate, self.time(query, study), query.moment, channels)
 
 
 def functionals(kind: str) -> tuple[Functional, ...]:
-    """All functionals of a kind."""
+    """Return all functionals of a kind."""
     return tuple(found for found in FUNCTIONALS.values() if found.kind == kind)
 
 
@@ -224,7 +224,7 @@ def _fitting(ends: Iterable[Moment], functional: Functional, words: Words, name:
 
 
 def _end(query: StretchQuery, study: Study) -> float | None:
-    """The last instant that counts, s."""
+    """Return the last instant that counts, s."""
     if query.moment is None:
         return None
     time = study.time(query.moment)

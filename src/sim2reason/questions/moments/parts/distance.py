@@ -25,12 +25,12 @@ class DistanceThreshold(Threshold):
 
     @classmethod
     def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
-        """A part of how far it gets."""
+        """Return a part of how far it gets."""
         reached = float(np.linalg.norm(Displacement.evaluate(trace.scan, name), axis=1).max())
         whole = min(reached, TIED if trace.mechanism.strings else LONGEST)
         distance = rng.uniform(NEAREST, FARTHEST) * whole
         return round_number(distance, NEAREST * whole, FARTHEST * whole) if distance >= SHORTEST else None
 
     def excess(self, state: State) -> Array:
-        """How much farther it is than the distance."""
+        """Return how much farther it is than the distance."""
         return np.linalg.norm(Displacement.evaluate(state, self.name), axis=1) - self.value

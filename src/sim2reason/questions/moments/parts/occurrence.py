@@ -36,7 +36,7 @@ class Occurrence(VerbHappening):
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Every subject's first ones."""
+        """Return every subject's first ones."""
         del rng
         happened = {name for event in study.trace.events if event.kind in cls.kinds for name in event.subjects}
         if not happened:
@@ -47,7 +47,7 @@ class Occurrence(VerbHappening):
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
-        """Every subject that is named, with every ordinal."""
+        """Yield every subject that is named, with every ordinal."""
         del trace
         numbers = set(numbers_of(text))
         for name, phrase in cls.candidates(words).items():
@@ -61,12 +61,12 @@ class Occurrence(VerbHappening):
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """The subjects that it can happen to, by name, as the text calls them."""
+        """Return the subjects that it can happen to, by name, as the text calls them."""
         return dict(words.called(cls.of))
 
     @classmethod
     def seen_as(cls, name: str, words: Words) -> set[str]:
-        """The names under which events speak of a subject."""
+        """Return the names under which events speak of a subject."""
         del words
         return {name}
 
@@ -76,18 +76,18 @@ class Occurrence(VerbHappening):
         return (self.name,)
 
     def is_this(self, event: Event, trace: Trace) -> bool:
-        """Whether an event is of this kind and subject."""
+        """Return whether an event is of this kind and subject."""
         del trace
         return event.kind in self.kinds and event.subjects[0] == self.name
 
     def time(self, trace: Trace) -> float | None:
-        """The time of the event."""
+        """Return the time of the event."""
         events = (e for e in trace.events if 0.0 < e.time <= trace.stable_until and self.is_this(e, trace))
         found = next(islice(events, self.number - 1, None), None)
         return found.time if found is not None else None
 
     def subject(self, words: Words) -> str:
-        """How a question calls the one that it happens to."""
+        """Return how a question calls the one that it happens to."""
         return words.called(self.of)[self.name]
 
     def count(self, words: Words) -> int | None:
@@ -96,11 +96,11 @@ class Occurrence(VerbHappening):
         return self.number if self.most else None
 
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: when the string first goes slack."""
+        """Return the phrases for the moment, such as *when the string first goes slack*."""
         return self.does(words).phrases(self.subject(words), self.count(words))
 
     def clause(self, words: Words) -> Clause | None:
-        """As in: the string first goes slack."""
+        """Return the clause, such as *the string first goes slack*."""
         return self.does(words).clause(self.subject(words), self.count(words))
 
 
@@ -113,7 +113,7 @@ class VelocityJump(Occurrence):
 
     @classmethod
     def each(cls, name: str, last: int = 1) -> Iterator[Self]:
-        """Both sides of each."""
+        """Yield both sides of each."""
         for number in range(1, max(cls.most, last if cls.most else 1) + 1):
             yield cls(name, number, after=True)
             yield cls(name, number, after=False)
@@ -124,11 +124,11 @@ class VelocityJump(Occurrence):
         return self.after
 
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: just after the ball first hits the ground."""
+        """Return the phrases for the moment, such as *just after the ball first hits the ground*."""
         return self.does(words).sided(self.subject(words), self.count(words), after=self.after)
 
     def clause(self, words: Words) -> Clause | None:
-        """As in: the ball first hits the ground; when that is, is asked of one side alone."""
+        """Return the clause, such as *the ball first hits the ground*; when that is, is asked of one side alone."""
         return self.does(words).clause(self.subject(words), self.count(words)) if self.after else None
 
     def stretches(self, words: Words) -> tuple[str, ...]:

@@ -36,28 +36,28 @@ class Passage(VerbHappening):
 
     @abstractmethod
     def excess(self, state: State) -> Array:
-        """What is below zero before, and above zero after, (n,)."""
+        """Return what is below zero before, and above zero after, (n,)."""
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Every subject that gets there, away from events."""
+        """Return every subject that gets there, away from events."""
         del rng
         return [moment for name in cls.candidates(words) if (moment := cls(name)).comes(study)]
 
     def comes(self, study: Study) -> bool:
-        """Whether it happens, away from events."""
+        """Return whether it happens, away from events."""
         time = study.time(self)
         return time is not None and apart(time, study.trace)
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
-        """Every subject that is named."""
+        """Return every subject that is named."""
         del trace
         return (cls(name) for name, phrase in cls.candidates(words).items() if phrase in text)
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """The subjects that it can happen to, by name, as the text calls them."""
+        """Return the subjects that it can happen to, by name, as the text calls them."""
         return dict(words.called(cls.of))
 
     @property
@@ -71,15 +71,15 @@ class Passage(VerbHappening):
 
     @property
     def channels(self) -> tuple[Channel, ...]:
-        """What it hangs on."""
+        """Return what it hangs on."""
         return (Channel(self.name, self.hangs_on),)
 
     def time(self, trace: Trace) -> float | None:
-        """When the function first passes through zero."""
+        """Return when the function first passes through zero."""
         return first_crossing(trace, self.excess)
 
     def subject(self, words: Words) -> str:
-        """How a question calls the one that it happens to."""
+        """Return how a question calls the one that it happens to."""
         return self.candidates(words)[self.name]
 
     def phrases(self, words: Words) -> tuple[str, ...]:
@@ -87,7 +87,7 @@ class Passage(VerbHappening):
         return self.does(words).phrases(self.subject(words), 1)
 
     def clause(self, words: Words) -> Clause | None:
-        """As in: the ball first passes through the lowest point of its path."""
+        """Return the clause, such as *the ball first passes through the lowest point of its path*."""
         return self.does(words).clause(self.subject(words), 1)
 
 
@@ -105,7 +105,7 @@ class Threshold(Passage):
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """A drawn value for one subject."""
+        """Return a drawn value for one subject."""
         names = list(cls.candidates(words))
         if not names:
             return []
@@ -116,11 +116,11 @@ class Threshold(Passage):
     @classmethod
     @abstractmethod
     def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
-        """A value that is reached, as it will be spoken; None if there is none."""
+        """Return a value that is reached, as it will be spoken; None if there is none."""
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
-        """Every subject that is named, with every number of the unit."""
+        """Yield every subject that is named, with every number of the unit."""
         del trace
         numbers = words.heard(text, cls.unit)
         for name, phrase in cls.candidates(words).items():
@@ -143,5 +143,5 @@ class Threshold(Passage):
         return replace(self, value=value)
 
     def said(self, words: Words) -> str:
-        """The value with its unit."""
+        """Return the value with its unit."""
         return words.amount(self.value, self.unit)

@@ -44,7 +44,7 @@ class Reached(Happening):
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
-        """Every quantity that is named, with every number of its unit."""
+        """Yield every quantity that is named, with every number of its unit."""
         del trace
         for target, noun in targets(words).items():
             if noun.phrase in text:

@@ -20,14 +20,14 @@ class SlipChange(Occurrence):
     of = Contacts()
 
     def slipped(self, event: Event, trace: Trace) -> bool:
-        """Whether the body slips until shortly before an event; what only turns back does, too."""
+        """Return whether the body slips until shortly before an event; what only turns back does, too."""
         slips = np.abs(slip(trace.scan, self.name))
         before = slips[trace.scan.times < event.time - STILL * trace.scan.times[-1]]
         return len(before) > 0 and float(before[-1]) > still(trace, slips)
 
 
 def slip(state: State, name: str) -> Array:
-    """The velocity with which a body slips on its face, m/s, (n,)."""
+    """Return the velocity with which a body slips on its face, m/s, (n,)."""
     mechanism = state.mechanism
     total = np.zeros(len(state.times))
     for coordinate, factor in mechanism.contacts[name].slip:
@@ -36,5 +36,5 @@ def slip(state: State, name: str) -> Array:
 
 
 def rolls(words: Words, name: str) -> bool:
-    """Whether a body rolls on its face rather than slides: it may turn there."""
+    """Return whether a body rolls on its face rather than slides: it may turn there."""
     return len(words.mechanism.contacts[name].slip) > 1

@@ -42,15 +42,15 @@ class Peak(Passage):
     exceeded: bool = False  # whether it may be, later
 
     def first(self) -> Self:
-        """The first time that it turns back, even if it gets beyond that later, and if the motion begins so."""
+        """Return the first time that it turns back, even if it gets beyond that later, and if the motion begins so."""
         return replace(self, exceeded=True)
 
     @abstractmethod
     def extent(self, state: State) -> Array:
-        """What is greatest then, (n,); `excess` is the rate at which it sinks."""
+        """Return what is greatest then, (n,); `excess` is the rate at which it sinks."""
 
     def time(self, trace: Trace) -> float | None:
-        """When it first turns back, if it never gets beyond, and nothing has struck it back at once before."""
+        """Return when it first turns back, if it never gets beyond, and nothing has struck it back at once before."""
         if begins_beyond(trace, self.excess) and not self.exceeded:
             return None
         reached = ((time, float(self.extent(trace.at(time))[0])) for time in crossings(trace, self.excess))
@@ -84,14 +84,14 @@ class Apsis(Peak):
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Those that attract each other."""
+        """Return those that attract each other."""
         drawn = {frozenset((pull.a, pull.b)) for pull in words.mechanism.attractions}
         pairs = {name: said for name, said in words.called(cls.of).items() if frozenset(members(name)) in drawn}
         rounds = {name: _one_round(words, name) for name in pairs}
         return {name: said if (one := rounds[name]) is None else words.mentions[one[0]] for name, said in pairs.items()}
 
     def does(self, words: Words) -> Verb:
-        """What both do; or one of them, where the other is fixed."""
+        """Return what both do; or one of them, where the other is fixed."""
         one = _one_round(words, self.name)
         if one is None:
             return self.verb
@@ -100,11 +100,11 @@ class Apsis(Peak):
 
     @property
     def comes_round(self) -> bool:
-        """What recedes for ever turns neither back nor towards."""
+        """Return True: bodies that separate for ever have no turning point."""
         return True
 
     def receding(self, state: State) -> Array:
-        """How fast they part, m/s, (n,): r·v/r."""
+        """Return how fast they part, m/s, (n,): r·v/r."""
         a, b = members(self.name)
         frames = state.frames
         apart = state.vector(frames.center(b).place) - state.vector(frames.center(a).place)
@@ -112,14 +112,14 @@ class Apsis(Peak):
         return np.einsum("ij,ij->i", apart, parting) / np.linalg.norm(apart, axis=1)
 
     def time(self, trace: Trace) -> float | None:
-        """When it turns; None of what goes round in a circle."""
+        """Return when it turns; None of what goes round in a circle."""
         far = DistanceBetween.evaluate(trace.scan, self.name)
         round_it_goes = float(far.max() - far.min()) <= CIRCLE * float(far.max())
         return None if round_it_goes else Peak.time(self, trace)
 
 
 def _one_round(words: Words, name: str) -> tuple[str, str] | None:
-    """The body of a pair that moves, and the other, which is fixed; None where both move."""
+    """Return the body of a pair that moves, and the other, which is fixed; None where both move."""
     a, b = members(name)
     if moves(words.mechanism, a) and moves(words.mechanism, b):
         return None
@@ -157,11 +157,11 @@ class SpringTurn(Peak):
         """1 for stretched, −1 for compressed."""
 
     def extent(self, state: State) -> Array:
-        """How far it is stretched, or compressed."""
+        """Return how far it is stretched, or compressed."""
         return self.sign() * Extension.evaluate(state, self.name)
 
     def excess(self, state: State) -> Array:
-        """How fast it comes back."""
+        """Return how fast it comes back."""
         return -self.sign() * ExtensionRate.evaluate(state, self.name)
 
 
@@ -179,7 +179,7 @@ class TurningPoint(Peak):
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """What flies or swings: on a slope, or on a string straight up, no text speaks of a highest point."""
+        """Return what flies or swings: on a slope, or on a string straight up, no text speaks of a highest point."""
         mechanism, found = words.mechanism, dict[str, str]()
         tied = {mechanism.site[site].body for line in mechanism.lines for site in line.through}
         for name, said in words.called(cls.of).items():
@@ -190,6 +190,6 @@ class TurningPoint(Peak):
         return found
 
     def does(self, words: Words) -> Verb:
-        """As in: reaches the highest point of its path, and as in: stops rising."""
+        """Return the verb phrase, such as *reaches the highest point of its path, and as in: stops rising*."""
         met = [meeting.names for meeting in words.mechanism.meetings if self.name in meeting.names]
         return self.local_verb if any(len(names) > 1 for names in met) else self.verb

@@ -60,6 +60,6 @@ class VerbHappening(Happening):
     verb: ClassVar[Verb]
 
     def does(self, words: Words) -> Verb:
-        """What it does, as a text says it."""
+        """Return what it does, as a text says it."""
         del words
         return self.verb

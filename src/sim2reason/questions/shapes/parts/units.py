@@ -23,7 +23,7 @@ def units(text: str) -> list[str]:
 
 
 def is_table(unit: str) -> bool:
-    """Whether it is a table, and no sentence."""
+    """Return whether it is a table, and no sentence."""
     return unit.lstrip().startswith("|")
 
 
@@ -33,34 +33,34 @@ def text_of(said: Sequence[str]) -> str:
 
 
 def splits(said: Sequence[str]) -> Iterator[tuple[list[str], str]]:
-    """The story and the question at its end, which mostly is one sentence."""
+    """Yield the story and the question at its end, which mostly is one sentence."""
     for count in range(1, min(QUESTION, len(said) - 1) + 1):
         if not any(map(is_table, said[-count:])):
             yield list(said[:-count]), text_of(said[-count:])
 
 
 def begins_plainly(question: str) -> bool:
-    """Whether a question begins with the word that asks, so that a clause can stand before it."""
+    """Return whether a question begins with the word that asks, so that a clause can stand before it."""
     return ASKS.match(question) is not None
 
 
 def lowered(sentence: str) -> str:
-    """A sentence after a clause: without its capital, but for the letter that a body is called by."""
+    """Return a sentence after a clause: without its capital, but for the letter that a body is called by."""
     return sentence if re.match(r"[A-Z]\b(?! [a-z])", sentence) else sentence[0].lower() + sentence[1:]
 
 
 def raised(sentence: str) -> str:
-    """A sentence with its capital."""
+    """Return a sentence with its capital."""
     return sentence[:1].upper() + sentence[1:]
 
 
 def one_of(options: Sequence[str], rng: np.random.Generator) -> str:
-    """One of several wordings; always one draw."""
+    """Return one of several wordings; always one draw."""
     return options[int(rng.random() * len(options))]
 
 
 def without_assumptions(said: Sequence[str]) -> tuple[list[str], list[str]]:
-    """A story up to the closings on what holds throughout, and those."""
+    """Return a story up to the closings on what holds throughout, and those."""
     count = len(said)
     while count and is_assumption(said[count - 1]):
         count -= 1
@@ -68,7 +68,7 @@ def without_assumptions(said: Sequence[str]) -> tuple[list[str], list[str]]:
 
 
 def assumptions(description: Description) -> list[str]:
-    """The last sentences of a text, as far as they say what holds throughout."""
+    """Return the last sentences of a text, as far as they say what holds throughout."""
     said = list(description.sentences)
     count = len(said)
     while count and description.role(said[count - 1]) == "assumption":

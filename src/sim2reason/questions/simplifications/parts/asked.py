@@ -6,11 +6,11 @@ from sim2reason.questions.study import Study
 
 
 def asked_until(query: Query, study: Study) -> float:
-    """The time of the moment that is asked about, s; the end of the motion where there is none."""
+    """Return the time of the moment that is asked about, s; the end of the motion where there is none."""
     time = study.time(query.moment) if query.moment is not None else None
     return float(study.trace.state.times[-1]) if time is None else time
 
 
 def asked_name(query: Query) -> str:
-    """What is asked for: the name of a quantity or of a functional, as that of an item's answer."""
+    """Return what is asked for: the name of a quantity or of a functional, as that of an item's answer."""
     return KINDS[query.kind].measured(query).name

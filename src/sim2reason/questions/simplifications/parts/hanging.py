@@ -31,7 +31,7 @@ def hanging(mechanism: Mechanism) -> dict[str, HangingLoad]:
 
 
 def movable_pulleys(mechanism: Mechanism) -> tuple[str, ...]:
-    """What has no mass but its wheel's, and moves up and down with a string that passes it."""
+    """Return what has no mass but its wheel's, and moves up and down with a string that passes it."""
     passed = {mechanism.site[site].body for line in mechanism.lines for site in line.through[1:-1]}
     turned = {wheel.coordinate for line in mechanism.lines for wheel in line.wheels}
     passed |= {coordinate.body for coordinate in mechanism.coordinates if coordinate.name in turned}
@@ -40,14 +40,14 @@ def movable_pulleys(mechanism: Mechanism) -> tuple[str, ...]:
 
 
 def carried(mechanism: Mechanism, name: str | None) -> str | None:
-    """The body that slides, of a wheel on it; None of what is fixed."""
+    """Return the body that slides, of a wheel on it; None of what is fixed."""
     while name is not None and not any(c.kind == "slide" for c in mechanism.body[name].coordinates):
         name = mechanism.body[name].parent
     return name
 
 
 def _rises(body: RigidBody) -> bool:
-    """Whether it moves straight up and down in the room."""
+    """Return whether it moves straight up and down in the room."""
     if body.parent is not None or len(body.coordinates) != 1:
         return False
     (way,) = body.coordinates
@@ -62,7 +62,7 @@ class _Holding:
         self._runs = list(_runs(mechanism, start(mechanism)))
 
     def hanging(self, name: str, seen: frozenset[str] = frozenset()) -> HangingLoad | None:
-        """A body with what hangs from it."""
+        """Return a body with what hangs from it."""
         mechanism = self._mechanism
         body = mechanism.body[name]
         if name in seen or name in mechanism.contacts or not _rises(body):

@@ -69,7 +69,7 @@ class PlanetOrbit:
 
 
 def orbits(mechanism: Mechanism) -> list[PlanetOrbit]:
-    """Those of all that a fixed body attracts, where nothing else but what so moves is there; none otherwise."""
+    """Return those of all that a fixed body attracts, where nothing else but what so moves is there; none otherwise."""
     if len({pull.power for pull in mechanism.attractions} | {2.0}) > 1 or mechanism.burns or mechanism.lines:
         return []
     frames, found = start(mechanism), list[PlanetOrbit]()
@@ -91,7 +91,7 @@ def orbits(mechanism: Mechanism) -> list[PlanetOrbit]:
 
 
 def moving_as(trace: Trace, formulas: Mapping[PlanetOrbit, Callable[[Array], Motion]]) -> Trace:
-    """A motion in which planets go as formulas of the time (n,) say."""
+    """Return a motion in which planets go as formulas of the time (n,) say."""
 
     def sample(times: Array) -> State:
         q, v, a = (np.zeros((len(times), len(trace.mechanism.coordinates))) for _ in range(3))
@@ -105,19 +105,19 @@ def moving_as(trace: Trace, formulas: Mapping[PlanetOrbit, Callable[[Array], Mot
 
 
 def with_velocities(trace: Trace, velocity: Told) -> Trace:
-    """A motion along the same paths in the same times, with other velocities."""
+    """Return a motion along the same paths in the same times, with other velocities."""
     found = orbits(trace.mechanism)
     return _retold(trace, lambda state: (_told(state, found, velocity), state.a))
 
 
 def with_accelerations(trace: Trace, acceleration: Told) -> Trace:
-    """The same motion, whose accelerations are taken to be others."""
+    """Return the same motion, whose accelerations are taken to be others."""
     found = orbits(trace.mechanism)
     return _retold(trace, lambda state: (state.v, _told(state, found, acceleration)))
 
 
 def _retold(trace: Trace, rates: Callable[[State], tuple[Array, Array]]) -> Trace:
-    """The places of a motion with other velocities and accelerations, (n, c) each."""
+    """Return the places of a motion with other velocities and accelerations, (n, c) each."""
 
     def sample(times: Array) -> State:
         state = trace.sample(times)

@@ -20,12 +20,12 @@ class OneRestitution(ChangedMechanism):
     restitution: ClassVar[float]
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where any has another."""
+        """Return the whole, where any has another."""
         del query
         return [""] if any(meeting.restitution != self.restitution for meeting in study.mechanism.meetings) else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """With that coefficient everywhere."""
+        """Return the mechanism with that coefficient everywhere."""
         del subject
         same = tuple(replace(meeting, restitution=self.restitution, sticks=False) for meeting in mechanism.meetings)
         return replace(mechanism, meetings=same)

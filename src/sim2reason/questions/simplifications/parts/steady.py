@@ -16,14 +16,14 @@ Formulas = Callable[[Array, Array, Array], tuple[Array, Array]]
 
 
 def is_steady(query: Query, study: Study) -> bool:
-    """Whether what is let go moves with constant accelerations as long as is asked about."""
+    """Return whether what is let go moves with constant accelerations as long as is asked about."""
     if any(coordinate.speed for coordinate in study.mechanism.coordinates):
         return False
     return not happened(study.trace.events, asked_until(query, study)) and not changing(study.mechanism)
 
 
 def with_formulas(trace: Trace, formulas: Formulas) -> Trace:
-    """A motion that goes on by some formulas with the accelerations and forces that it has at the start."""
+    """Return a motion that goes on by some formulas with the accelerations and forces that it has at the start."""
     first = trace.sample(np.zeros(1))
 
     def sample(times: Array) -> State:

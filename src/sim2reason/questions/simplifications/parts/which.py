@@ -15,13 +15,13 @@ from sim2reason.questions.study import Study
 
 
 def wheels(mechanism: Mechanism) -> tuple[str, ...]:
-    """The bodies that a string turns as it passes."""
+    """Return the bodies that a string turns as it passes."""
     turned = {wheel.coordinate for line in mechanism.lines if line.circle is None for wheel in line.wheels}
     return tuple(c.body for c in mechanism.coordinates if c.name in turned)
 
 
 def massive(mechanism: Mechanism) -> tuple[str, ...]:
-    """The bodies with mass that are no wheels."""
+    """Return the bodies with mass that are no wheels."""
     turned = wheels(mechanism)
     return tuple(body.name for body in mechanism.bodies if body.mass > 0.0 and body.name not in turned)
 
@@ -41,23 +41,23 @@ def _can_move(mechanism: Mechanism, name: str | None) -> bool:
 
 
 def carriers(mechanism: Mechanism) -> tuple[str, ...]:
-    """The bodies that can move, and carry others: wedges, boxes, carts with something on them."""
+    """Return the bodies that can move, and carry others: wedges, boxes, carts with something on them."""
     parents = {body.parent for body in mechanism.bodies} | {mechanism.site[name].body for name in _led(mechanism)}
     return tuple(body.name for body in mechanism.bodies if body.coordinates and body.mass and body.name in parents)
 
 
 def _led(mechanism: Mechanism) -> set[str]:
-    """The sites that lines pass on their way, as over a pulley."""
+    """Return the sites that lines pass on their way, as over a pulley."""
     return {site for line in mechanism.lines for site in line.through[1:-1]}
 
 
 def solid(mechanism: Mechanism) -> list[str]:
-    """The bodies with inertia about their centres of mass that can turn."""
+    """Return the bodies with inertia about their centres of mass that can turn."""
     return [name for name in massive(mechanism) if any(mechanism.body[name].inertia) and _turns(mechanism, name)]
 
 
 def _turns(mechanism: Mechanism, name: str) -> bool:
-    """Whether it, or what carries it, has a hinge."""
+    """Return whether it, or what carries it, has a hinge."""
     body = mechanism.body[name]
     if any(coordinate.kind == "hinge" for coordinate in body.coordinates):
         return True
@@ -65,7 +65,7 @@ def _turns(mechanism: Mechanism, name: str) -> bool:
 
 
 def rough(mechanism: Mechanism) -> list[Face]:
-    """The faces on which something can slip against friction."""
+    """Return the faces on which something can slip against friction."""
     return [face for face in mechanism.faces if face.friction > 0.0 and isfinite(face.friction)]
 
 
@@ -79,7 +79,7 @@ class OtherFigure(Simplification):
     overlooked: ClassVar[Overlooked]
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """What can turn and may be taken for such a figure."""
+        """Return what can turn and may be taken for such a figure."""
         del query
         bodies = study.scene.bodies
         return [
@@ -89,7 +89,7 @@ class OtherFigure(Simplification):
         ]
 
     def simplified(self, study: Study, subject: str, until: float) -> Study | None:
-        """The motion with the inertia of that figure."""
+        """Return the motion with the inertia of that figure."""
         figure = _figure(study.scene, subject, self.overlooked)
 
         def change(mechanism: Mechanism) -> Mechanism:
@@ -98,12 +98,12 @@ class OtherFigure(Simplification):
         return study.changed((self.name, subject), change, until)
 
     def taken_for(self, body: RigidBody, figure: Solid) -> RigidBody:
-        """The body with the moments of inertia of a figure about its centre of mass, which stays where it is."""
+        """Return the body with the moments of inertia of a figure about its centre of mass, which stays where it is."""
         return replace(body, inertia=figure.inertia(body.mass))
 
 
 def _figure(scene: Scene, name: str, overlooked: Overlooked) -> Solid:
-    """The simpler figure as it is turned at the start, about what the text calls the centre of the body."""
+    """Return the simpler figure as it is turned at the start, about what the text calls the centre of the body."""
     shape = scene.bodies[name]
     assert isinstance(shape, Shape)
     axes = composed(transposed(shape.seen), scene.builder.turned[name])

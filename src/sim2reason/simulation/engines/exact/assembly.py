@@ -38,7 +38,7 @@ Numbers = list[Number]
 
 
 def of_time(mechanism: Mechanism, phase: Phase, time: Number) -> dict[str, Number]:
-    """The masses of all bodies at a time: those that burn grow lighter."""
+    """Return the masses of all bodies at a time: those that burn grow lighter."""
     masses: dict[str, Number] = {body.name: float(body.mass) for body in mechanism.bodies}
     for burn, burning in zip(mechanism.burns, phase.burning, strict=True):
         masses[burn.body] = masses[burn.body] - burn.rate * (time if burning else burn.until)
@@ -109,7 +109,7 @@ class Assembly:
             self.force[i] = self.force[i] - product(axis, torque)
 
     def full_mass(self) -> list[Numbers]:
-        """The mass matrix with both of its halves."""
+        """Return the mass matrix with both of its halves."""
         return [[*row[: i + 1], *(below[i] for below in self.mass[i + 1 :])] for i, row in enumerate(self.mass)]
 
     # ---- loads
@@ -155,7 +155,7 @@ class Assembly:
 
     @staticmethod
     def tension(line: Line, length: PathLength) -> Number:
-        """The tension that a line's law gives: of a spring, or of what a hand draws."""
+        """Return the tension that a line's law gives: of a spring, or of what a hand draws."""
         law = line.law
         if isinstance(law, ConstantTension):
             return law.force
@@ -170,7 +170,7 @@ class Assembly:
     # ---- lengths and rows
 
     def length(self, line: Line) -> PathLength:
-        """The length of a line: Σ |Δr| + Σ radius·angle."""
+        """Return the length of a line: Σ |Δr| + Σ radius·angle."""
         along: dict[int, Number] = {}
         lift: dict[int, Number] = {}
         value: Number = 0.0
@@ -189,7 +189,7 @@ class Assembly:
         return PathLength(value, rate, bias, along, lift)
 
     def rows(self, starts: Mapping[str, float]) -> list[RowTerms]:
-        """All rows, in the order of `row_kinds`; `starts` has each line's length at the start."""
+        """Return all rows, in the order of `row_kinds`; `starts` has each line's length at the start."""
         found = [self._line_row(line, starts[line.name]) for line in self.mechanism.constraints]
         for foot in self.mechanism.feet:
             point = self.frames.site(foot.site)
@@ -217,7 +217,7 @@ class Assembly:
         return RowTerms(length.along, length.lift, spare, rate, -length.bias)
 
     def separation(self, meeting: Meeting) -> Separation:
-        """How far apart the two of a meeting are, and how that changes."""
+        """Return how far apart the two of a meeting are, and how that changes."""
         other = self.frames.center(meeting.b)
         one = ORIGIN if meeting.a is None else self.frames.center(meeting.a)
         if meeting.normal is None:
@@ -233,7 +233,7 @@ class Assembly:
 
 
 def _power(distance: Number, square: Number, power: float) -> Number:
-    """A distance to a power: a whole one by products, so that symbols need no more than a root."""
+    """Return a distance to a power: a whole one by products, so that symbols need no more than a root."""
     found: Number = distance if power % 2 else 1.0
     for _ in range(int(power) // 2):
         found = found * square

@@ -13,7 +13,7 @@ PIVOTS = 64  # sets of contacts that are tried before the one that is pulled mos
 
 
 def lifted(problem: Problem, heave: list[Row], found: Solution, small: float) -> tuple[int, ...]:
-    """The contacts that come apart, in order; none if no face pulls by more than `small`.
+    """Return the numbers of the contacts that separate, in order; none if no normal force is below -`small`.
 
     `heave` is the mass matrix of the rises alone, (c, c): Σ m n·n′ over the bodies that both carry.
     """
@@ -52,7 +52,7 @@ def _rises(
 
 
 def _opened(problem: Problem, heave: list[Row], apart: tuple[int, ...]) -> tuple[Problem, list[int]]:
-    """The same problem with the rises of `apart` among the coordinates; and the contacts that are left."""
+    """Return the same problem with the rises of `apart` among the coordinates; and the contacts that are left."""
     kept = [number for number in range(len(problem.press)) if number not in apart]
     place = {number: new for new, number in enumerate(kept)}
 
@@ -145,7 +145,7 @@ def balance(system: System, instant: Instant, demand: Demand) -> Balance:
 
 
 def _kept(problem: Problem, found: Solution, before: Mode, small: float) -> Mode:
-    """The mode found, less the changes that nothing shows.
+    """Return the mode found, less the changes that nothing shows.
 
     A string that was taut stays so under no tension while its ends do not come together, and a contact at rest that is
     not accelerated sticks, though of forces that are not determined some let it slide at no speed.
@@ -161,7 +161,7 @@ def _kept(problem: Problem, found: Solution, before: Mode, small: float) -> Mode
 
 
 def _open(spare: list[Forces], forces: Forces) -> Forces:
-    """The multipliers, NaN where a force pattern without effect could be added."""
+    """Return the multipliers, NaN where a force pattern without effect could be added."""
     if not spare:
         return forces
     return Forces(*(_masked(values, [pattern[kind] for pattern in spare]) for kind, values in enumerate(forces)))
@@ -175,7 +175,7 @@ def _masked(values: Row, patterns: list[Row]) -> Row:
 
 
 def _unheld(instant: Instant, problem: Problem, found: Solution, forces: Forces, small: float) -> bool:
-    """Whether some massless part is held by nothing, or only by strings that do not pull."""
+    """Return whether some massless part is held by nothing, or only by strings that do not pull."""
     weightless = instant.loads.weightless
     if not weightless:
         return False

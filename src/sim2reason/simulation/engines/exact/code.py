@@ -12,7 +12,7 @@ KEPT = 512  # pieces of code; a process that meets more shapes of mechanisms tha
 
 
 def compiled(parameters: str, lines: Sequence[str], constants: str = "") -> Callable[..., Any]:
-    """A function of `parameters` with the given lines; with `constants`, a function of those that gives it."""
+    """Return a function of `parameters` with the given lines; with `constants`, a function of those that gives it."""
     body = "\n".join(f"        {line}" for line in lines)
     return _made(f"def make({constants}):\n    def code({parameters}):\n{body}\n    return code\n", bool(constants))
 

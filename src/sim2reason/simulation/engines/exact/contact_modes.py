@@ -32,11 +32,11 @@ class Flips:
     rubbing: list[tuple[int, int]] = field(default_factory=list[tuple[int, int]])
 
     def count(self) -> int:
-        """How many there are."""
+        """Return how many there are."""
         return len(self.rows) + len(self.rubbing)
 
     def apply(self, mode: Mode) -> Mode:
-        """The mode with all changes made."""
+        """Return the mode with all changes made."""
         acting, rubbing = list(mode.acting), list(mode.rubbing)
         for number in self.rows:
             acting[number] = not acting[number]
@@ -45,13 +45,13 @@ class Flips:
         return Mode(tuple(acting), tuple(rubbing))
 
     def each(self) -> Iterator["Flips"]:
-        """The changes one at a time."""
+        """Yield the changes one at a time."""
         yield from (Flips([number], []) for number in self.rows)
         yield from (Flips([], [pair]) for pair in self.rubbing)
 
 
 def search(problem: Problem, guess: Mode) -> Solution:
-    """The solution that violates nothing, nearest to the guess.
+    """Return the solution that violates nothing, nearest to the guess.
 
     Normal forces may come out negative: the caller then ends the motion. Friction has no law for them, so only
     if no mode is consistent is friction let off where the normal force is negative.
@@ -83,7 +83,7 @@ def _searched(problem: Problem, guess: Mode, *, lenient: bool) -> Solution | Non
 
 
 def linked(problem: Problem, mode: Mode) -> Mode:
-    """The mode with every row that follows another one acting as that one does, and all that is held acting."""
+    """Return the mode with every row that follows another one acting as that one does, and all that is held acting."""
     if not any(problem.held):
         return mode
     acting = list(mode.acting)
@@ -148,7 +148,7 @@ def _extra(grip: RoughContact, side: int) -> bool:
 
 
 def _system(problem: Problem, mode: Mode, active: list[int], faint: float) -> list[Row]:
-    """The equations in (x, λ of the acting rows, f of some that stick), one list each, the right side last.
+    """Return the equations in (x, λ of the acting rows, f of some that stick), one list each, the right side last.
 
     Where a contact that sticks slips with one coordinate alone, that coordinate's equation of motion gives its
     friction, and gives way to the equation of no slip.
@@ -186,7 +186,7 @@ def _spread(values: Row, active: list[int], size: int) -> Row:
 
 
 def _forces(problem: Problem, mode: Mode, x: Row, multipliers: Row, load: float) -> Forces:
-    """All multipliers, given x, λ and the friction that is an unknown; `load` 0 leaves the loads out."""
+    """Return all multipliers, given x, λ and the friction that is an unknown; `load` 0 leaves the loads out."""
     count = len(problem.rows)
     acting, held = multipliers[:count], iter(multipliers[count:])
     pulls = [(value, row) for value, row in zip(acting, problem.rows, strict=True) if value != 0.0]
@@ -208,7 +208,7 @@ def _forces(problem: Problem, mode: Mode, x: Row, multipliers: Row, load: float)
 
 
 def scales(problem: Problem, x: Row) -> tuple[float, float]:
-    """How large a force and an x are, so that small ones can be called zero."""
+    """Return how large a force and an x are, so that small ones can be called zero."""
     size = max(max(map(abs, x), default=0.0), max(map(abs, problem.targets), default=0.0), 1.0)
     return TOLERANCE * max(problem.load, 1e-3), TOLERANCE * size
 
@@ -240,7 +240,7 @@ def _flips(problem: Problem, solution: Solution, *, lenient: bool = False) -> Fl
 
 
 def stiffest(problem: Problem, solution: Solution) -> Solution:
-    """The same solution, with all that does not move counted as acting and sticking.
+    """Return the same solution, with all that does not move counted as acting and sticking.
 
     Its `spare` then tell which forces the motion does not determine.
     """

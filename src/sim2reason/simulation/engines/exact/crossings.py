@@ -46,7 +46,7 @@ class Watch:
     def crossings(
         self, ends: Sequence[Sequence[float]], margins: Callable[[float], Sequence[float]]
     ) -> list[tuple[int, Crossing]]:
-        """The first crossing of each margin that has one; `ends` are all margins at 0, ½ and 1 of the step."""
+        """Return the first crossing of each margin that has one; `ends` are all margins at 0, ½ and 1 of the step."""
         known: dict[float, Sequence[float]] = {}
 
         def at(x: float) -> Sequence[float]:
@@ -157,7 +157,7 @@ class FlowStep:
         return dop853.interpolated(self.values, self.polynomial, x)
 
     def margins(self, x: float) -> tuple[float, ...]:
-        """All margins at a fraction of the step."""
+        """Return all margins at a fraction of the step."""
         return self.formulas.margins(self.time + x * self.length, self.at(x))
 
     def closing(self, x: float) -> tuple[float, ...]:
@@ -215,7 +215,7 @@ EPSILON = 2.3e-16
 
 
 def bracketed_root(function: Callable[[float], float], low: float, high: float) -> float:
-    """A root between `low`, where the function is positive, and `high`, where it is not.
+    """Return a root between `low`, where the function is positive, and `high`, where it is not.
 
     Regula falsi, in the form that halves the value of an end that stays (Illinois): M. Dowell, P. Jarratt, A modified
     regula falsi method for computing the root of an equation (1971); and by bisection where that is slow.

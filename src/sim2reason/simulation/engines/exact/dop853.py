@@ -46,26 +46,26 @@ def factor(error: float) -> float:
 
 
 def dense(rate: Rate, time: float, values: Values, h: float, new: Values, stages: Stages) -> tuple[Values, ...]:
-    """The coefficients of the polynomial over a step, for each unknown: seven, from the lowest power on."""
+    """Return the coefficients of the polynomial over a step, for each unknown: seven, from the lowest power on."""
     more = _extension(len(values))(rate, time, values, h, stages)
     return _polynomial(len(values))(h, values, new, stages, more)
 
 
 def interpolated(values: Values, polynomial: tuple[Values, ...], x: float) -> Values:
-    """The unknowns at a fraction `x` of the step."""
+    """Return the unknowns at a fraction `x` of the step."""
     found: Values = _interpolation(len(values))(values, polynomial, x)
     return found
 
 
 def interpolated_one(start: float, coefficients: Values, x: float) -> float:
-    """One unknown, which begins at `start`, at a fraction `x` of the step."""
+    """Return one unknown, which begins at `start`, at a fraction `x` of the step."""
     a, b, c, d, e, f, g = coefficients
     y = 1.0 - x
     return start + x * (a + y * (b + x * (c + y * (d + x * (e + y * (f + x * g))))))
 
 
 def first_step(rate: Rate, time: float, values: Values, first: Values, tolerance: Sequence[float]) -> float:
-    """A step to begin with: Hairer, Nørsett, Wanner, section II.4."""
+    """Return a step to begin with: Hairer, Nørsett, Wanner, section II.4."""
     absolute, relative = tolerance
     scales = [absolute + relative * abs(value) for value in values]
     d0, d1 = _norm(values, scales), _norm(first, scales)
@@ -92,7 +92,7 @@ def _sum(weights: Mapping[int, float], unknown: int) -> str:
 
 
 def _stage(number: int, size: int) -> list[str]:
-    """The line that evaluates one stage."""
+    """Return the line that evaluates one stage."""
     weights = STAGES[number - 1]
     values = "".join(f"y{i} + h * ({_sum(weights, i)}), " for i in range(size))
     return [f"k{number} = rate(t + {NODES[number]!r} * h, ({values}))", f"{_names(f'k{number}_', size)} = k{number}"]
@@ -114,7 +114,7 @@ def _stepper(size: int) -> Callable[..., tuple[Values, Stages, float, float]]:
 
 @cache
 def _extension(size: int) -> Callable[..., Stages]:
-    """The three stages that only dense output needs."""
+    """Return the three stages that only dense output needs."""
     lines = [f"{_names('y', size)} = y", f"{_names('k', 13)} = stages"]
     lines += [f"{_names(f'k{number}_', size)} = k{number}" for number in range(13)]
     lines += chain.from_iterable(_stage(number, size) for number in range(13, 16))

@@ -36,7 +36,7 @@ def simulate(mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> T
 
 
 def motion(mechanism: Mechanism, duration: float, tolerance: float = FINEST) -> Motion:
-    """The motion from 0 to `duration` seconds, or to the event that ends it; raises as `simulate` does."""
+    """Return the motion from 0 to `duration` seconds, or to the event that ends it; raises as `simulate` does."""
     run: _Run | None = None
     try:
         run = _Run(mechanism, duration, tolerance)

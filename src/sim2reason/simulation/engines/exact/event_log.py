@@ -49,7 +49,7 @@ class EventLog:
         self._hits |= dict.fromkeys(names, (time, subjects))
 
     def crowded(self, time: float, names: Iterable[str]) -> float | None:
-        """When the impact was after which one of `names` is struck again too soon; None if none is.
+        """Return when the impact was after which one of `names` is struck again too soon; None if none is.
 
         Two can do so by turns, without end.
         """
@@ -86,5 +86,5 @@ class EventLog:
                 self.record(time, "slip" if now else "stick", self._mechanism.faces[grip.contact].subject)
 
     def sorted(self) -> tuple[Event, ...]:
-        """All events in order of time."""
+        """Return all events in order of time."""
         return tuple(sorted(self.events, key=lambda event: (event.time, ORDER[event.kind])))

@@ -178,7 +178,7 @@ class Flow:
         return StopReason(self.time - self.start, due)
 
     def _margins(self) -> Sequence[float]:
-        """All margins now; none that is left if they have no value."""
+        """Return all margins now; none that is left if they have no value."""
         try:
             return self.formulas.margins(self.time, self.values)
         except (ZeroDivisionError, OverflowError, ValueError):
@@ -210,7 +210,7 @@ class Flow:
         return StopReason(self.time - self.start, tuple(due)) if length >= 0.0 else None
 
     def _passes(self, step: FlowStep, known: set[int]) -> list[tuple[int, Crossing]]:
-        """Where two points of a line are nearest within a step, if they come together there."""
+        """Return where two points of a line are nearest within a step, if they come together there."""
         passing = self.formulas.passing
         if not passing:
             return []

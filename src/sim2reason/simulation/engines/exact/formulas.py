@@ -38,11 +38,11 @@ class CurvedEquations:
         self._recorded: dict[Phase, _Recorded] = {}
 
     def instant(self, time: float, q: Row, v: Row, phase: Phase) -> Instant:
-        """The numbers of one instant."""
+        """Return the numbers of one instant."""
         return self.system.instant(time, q, v, phase)
 
     def formulas(self, instant: Instant, phase: Phase, mode: Mode) -> Formulas:
-        """The code of a mode, made where it begins."""
+        """Return the code of a mode, made where it begins."""
         recorded = self._recorded.get(phase)
         if recorded is None:
             recorded = self._recorded[phase] = _Recorded(self.system, phase)
@@ -69,7 +69,7 @@ class _Recorded:
         self.made: dict[Mode, Formulas] = {}
 
     def formulas(self, instant: Instant, mode: Mode) -> Formulas:
-        """The code of a mode, made at an instant if it is new."""
+        """Return the code of a mode, made at an instant if it is new."""
         if mode not in self.made:
             self.tape.stand([instant.time, *instant.q, *instant.v])
             self.made[mode] = self._formulas(mode)
@@ -108,7 +108,7 @@ class _Recorded:
         return Formulas(rate, write, margins, tuple(names), held, tuple(passing), closing, cost, linear, due)
 
     def _patterns(self, mode: Mode, free: FreeForces) -> dict[Margin, Number]:
-        """How the margins of forces change with forces that the motion leaves open."""
+        """Return how the margins of forces change with forces that the motion leaves open."""
         lift: list[Number] = [0.0] * self.system.count
         for number, force in free.rows.items():
             for contact, part in self.rows[number].lift.items():
@@ -200,7 +200,7 @@ class _Recorded:
         return [*found, *self._strains(), *self._borders()]
 
     def _strains(self) -> list[tuple[Margin, Number]]:
-        """How far springs that act one way are from where they begin or cease to act, m."""
+        """Return how far springs that act one way are from where they begin or cease to act, m."""
         found: list[tuple[Margin, Number]] = []
         halves = zip(self.system.mechanism.half_springs, self.phase.strained, strict=True)
         for number, ((line, law), strained) in enumerate(halves):
@@ -237,7 +237,7 @@ class _Recorded:
         return found
 
     def _keeps(self, mode: Mode, first: str, last: str) -> bool:
-        """Whether a run keeps its length, since a row that acts consists of it alone."""
+        """Return whether a run keeps its length, since a row that acts consists of it alone."""
         known = self.system.mechanism.line
         acting = [kind.name for kind, acts in zip(self.system.kinds(self.phase), mode.acting, strict=True) if acts]
         lines = [known[name] for name in acting if name in known]
@@ -257,7 +257,7 @@ class _Recorded:
         return found
 
     def _distance(self, first: str, last: str) -> Number:
-        """How far apart two sites are, negative as soon as they meet on a line, where a pull turns round."""
+        """Return how far apart two sites are, negative as soon as they meet on a line, where a pull turns round."""
         one, other = self.assembly.frames.site(first).place, self.assembly.frames.site(last).place
         way = straight(self.system.mechanism, self.system.frames, first, last)
         total: Number = 0.0

@@ -22,7 +22,7 @@ ROUNDING = 1e-12
 
 
 def crossing(c: float, b: float, a: float) -> float:
-    """The first time at which the margin c + bτ + aτ²/2 is used up, or infinity.
+    """Return the first time at which the margin c + bτ + aτ²/2 is used up, or infinity.
 
     A margin within `TOUCHING` of zero counts as zero: then it is used up at once if it shrinks, else when it
     comes back. Roots are taken in the form that does not cancel.
@@ -38,7 +38,7 @@ def crossing(c: float, b: float, a: float) -> float:
 
 
 def halt(speed: float, acceleration: float) -> float:
-    """When a speed passes through zero, or infinity; a coordinate at rest does not stop."""
+    """Return when a speed passes through zero, or infinity; a coordinate at rest does not stop."""
     return -speed / acceleration if speed * acceleration < 0.0 else inf
 
 
@@ -73,11 +73,11 @@ class Approach:
 
     @property
     def touching(self) -> bool:
-        """Whether the gap is closed."""
+        """Return whether the gap is closed."""
         return self.gap <= TOUCHING
 
     def hit(self) -> float:
-        """The time at which the gap closes next, or infinity."""
+        """Return the time at which the gap closes next, or infinity."""
         resting = self.touching and abs(self.rate) <= STILL
         if self._straight():
             r = hypot(*self.apart)
@@ -102,7 +102,7 @@ class Approach:
 
 
 def _first_root(coefficients: Row, touching: int) -> float:
-    """The first positive time at which a polynomial, positive till then, reaches zero.
+    """Return the first positive time at which a polynomial, positive till then, reaches zero.
 
     `touching` is how many roots lie at time zero: they are divided out.
     """
@@ -118,7 +118,7 @@ def _first_root(coefficients: Row, touching: int) -> float:
 
 
 def _quadratic(c: float, b: float, a: float) -> float:
-    """The first positive root of c + bτ + aτ², which begins positive."""
+    """Return the first positive root of c + bτ + aτ², which begins positive."""
     square = b * b - 4.0 * a * c
     if square < 0.0 or (b >= 0.0 and a >= 0.0):
         return inf
@@ -161,7 +161,7 @@ class _Pair:
         return (start[0] + moved[0], start[1] + moved[1], start[2] + moved[2])
 
     def hit(self, q: Row, v: Row, a: Row) -> float:
-        """The time at which they touch next, or infinity."""
+        """Return the time at which they touch next, or infinity."""
         near = self.approach(q, v, a)
         normal = self.meeting.normal
         if normal is None:
@@ -224,7 +224,7 @@ class SteadyEquations:
 
     @staticmethod
     def _near(pair: _Pair, stuck: bool, q: Row, v: Row) -> Near:  # noqa: FBT001 - one of several in a map
-        """How a pair stands; with its gradient where it touches or sticks together."""
+        """Return how a pair stands; with its gradient where it touches or sticks together."""
         meeting, apart, velocity = pair.meeting, pair.at(q), _carried(pair.slides, v)
         if meeting.normal is None:
             r = hypot(*apart)
@@ -242,7 +242,7 @@ class SteadyEquations:
     # ---- the next event
 
     def glide(self, instant: Instant, found: Balance, duration: float) -> StopReason:
-        """How long the mode lasts, and what is due then."""
+        """Return how long the mode lasts, and what is due then."""
         due = [*self._changes(instant, found), *self._finishes(instant, found)]
         soonest = min((time for time, _ in due), default=inf)
         if soonest >= duration:
@@ -252,7 +252,7 @@ class SteadyEquations:
         return StopReason(soonest, tuple(margin for time, margin in due if time <= soonest + TIE))
 
     def _changes(self, instant: Instant, found: Balance) -> list[tuple[float, Margin]]:
-        """When rows are used up, contacts stop sliding, pairs meet."""
+        """Return the times at which rows are used up, contacts stop sliding and pairs meet, with their margins."""
         due: list[tuple[float, Margin]] = []
         for number in range(len(self._rows)):
             if not found.mode.acting[number]:
@@ -268,7 +268,7 @@ class SteadyEquations:
         return due
 
     def _finishes(self, instant: Instant, found: Balance) -> list[tuple[float, Margin]]:
-        """When the description ends."""
+        """Return when the description ends."""
         due: list[tuple[float, Margin]] = []
         for number, (length, run) in enumerate(self._runs):
             time = crossing(length + run.rate(instant.q), run.rate(instant.v), run.rate(found.a))
@@ -281,7 +281,7 @@ class SteadyEquations:
 
 
 def _sparse(along: Mapping[int, Number]) -> Gradient:
-    """A gradient of which nothing but the rate is asked."""
+    """Return a gradient of which nothing but the rate is asked."""
     return Gradient([], [], tuple([(number, float(part)) for number, part in sorted(along.items()) if part]))
 
 

@@ -64,7 +64,7 @@ class RowKind:
 
 
 def row_kinds(mechanism: Mechanism, phase: Phase) -> list[RowKind]:
-    """What the rows of a mechanism are, in order: lines, two for each foot, pairs that stick together."""
+    """Return what the rows of a mechanism are, in order: lines, two for each foot, pairs that stick together."""
     found = [RowKind(line.law.row, line.name, isinstance(line.law, Rigid), -1) for line in mechanism.constraints]
     for foot in mechanism.feet:
         found.append(RowKind("foot", foot.name, both=False, follows=-1))
@@ -76,12 +76,12 @@ def row_kinds(mechanism: Mechanism, phase: Phase) -> list[RowKind]:
 
 
 def projected(one: Gradient, other: Gradient, way: Triple) -> dict[int, Number]:
-    """How the second point moves relative to the first along `way`, by coordinate."""
+    """Return how the second point moves relative to the first along `way`, by coordinate."""
     return {i: product(way, axis) for i, axis in relative(one, other).items()}
 
 
 def point_row(point: Point, way: Triple, gap: Number) -> RowTerms:
-    """The row that holds a point along `way`."""
+    """Return the row that holds a point along `way`."""
     along = {i: product(way, axis) for i, axis in point.gradient.items()}
     lift = {i: product(way, normal) for i, normal in point.lift.items()}
     return RowTerms(along, lift, gap, product(way, point.velocity), -product(way, point.bias))

@@ -23,7 +23,7 @@ class Solved:
 
 
 def dot(a: Row, b: Row) -> float:
-    """The scalar product; the shorter one sets the length."""
+    """Return the scalar product; the shorter one sets the length."""
     return sum(map(mul, a, b))
 
 
@@ -65,7 +65,7 @@ def _scaled(row: Row, size: int) -> Row:
 
 
 def _freed(row: Row, pivot: Row, column: int) -> Row:
-    """A row freed of the unknown that the pivot settles."""
+    """Return a row freed of the unknown that the pivot settles."""
     factor = row[column] / pivot[column]
     freed = [a - factor * b for a, b in zip(row, pivot, strict=True)]
     freed[column], freed[-1] = 0.0, max(abs(row[-1]), abs(factor * pivot[-1]))
@@ -94,7 +94,7 @@ class Gradient:
     terms: tuple[tuple[int, float], ...]  # the entries of `along` that are not zero
 
     def rate(self, values: Row) -> float:
-        """The rate of change, from velocities or accelerations."""
+        """Return the rate of change, from velocities or accelerations."""
         total = 0.0
         for number, factor in self.terms:
             total += factor * values[number]
@@ -102,7 +102,7 @@ class Gradient:
 
 
 def gradient(along: Row, lift: Row) -> Gradient:
-    """A gradient with its terms."""
+    """Return a gradient with its terms."""
     return Gradient(along, lift, tuple([(number, part) for number, part in enumerate(along) if part]))
 
 
@@ -123,7 +123,7 @@ class RoughContact:
         return self.friction == inf
 
     def side(self, slip: float, least: float = 0.0) -> int:
-        """The side to which it slips at a speed of which `least` is still none."""
+        """Return the side to which it slips at a speed of which `least` is still none."""
         return 0 if self.never else (slip > least) - (slip < -least)
 
 
@@ -225,7 +225,7 @@ def eliminated(equations: list[Equation], size: int, active: list[int], sticking
 
 
 def _symbols_substituted(solved: list[tuple[int, Equation]], found: list[Number], *, load: bool) -> list[Number]:
-    """All unknowns, given the free ones; without the `load` the right sides are zero."""
+    """Return all unknowns, given the free ones; without the `load` the right sides are zero."""
     width = len(found)
     for column, row in reversed(solved):
         total: Number = row[width] if load else 0.0

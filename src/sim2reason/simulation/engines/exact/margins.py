@@ -23,7 +23,7 @@ class Condition(NamedTuple):
 
 
 def greatest_least(bases: Sequence[float], parts: Sequence[Sequence[float]]) -> tuple[float, frozenset[int]]:
-    """The greatest value, over all z, of the least margin, and which margins set it; infinity if nothing does.
+    """Return the greatest value, over all z, of the least margin, and which margins set it; infinity if nothing does.
 
     Fourier and Motzkin's elimination: any two conditions in which a free force has opposite signs combine, with
     weights of sum 1, into one without it.
@@ -100,12 +100,12 @@ class Formulas:
         return None if self.braced or self.held else self.find_linear()
 
     def margins(self, time: float, values: Sequence[float]) -> tuple[float, ...]:
-        """All margins, in the order of `watched`."""
+        """Return all margins, in the order of `watched`."""
         found = self.code(time, values)
         return (*found[: len(self.watched) - 1], self._brace(found)[0]) if self.braced else found
 
     def due(self, margin: Margin, time: float, values: Sequence[float]) -> tuple[Margin, ...]:
-        """What a margin that is used up stands for."""
+        """Return what a margin that is used up stands for."""
         if margin.kind != "brace":
             return (margin,)
         return tuple(self.braced[i] for i in sorted(self._brace(self.code(time, values))[1]))

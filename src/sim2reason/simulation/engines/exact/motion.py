@@ -72,7 +72,7 @@ class Motion:
 
     @cached_property
     def _widths(self) -> tuple[int, int, int]:
-        """How many coordinates, lines that are rows, and contacts there are."""
+        """Return how many coordinates, lines that are rows, and contacts there are."""
         mechanism = self.mechanism
         return len(mechanism.coordinates), len(mechanism.constraints), len(mechanism.faces)
 
@@ -100,12 +100,12 @@ class Motion:
         return in_order(np.array([*(time for time in found if time <= self.end), self.end]))
 
     def state(self, times: Array) -> State:
-        """The motion at any times ≥ 0, s, shape (m,); after the end the last segment just goes on."""
+        """Return the motion at any times ≥ 0, s, shape (m,); after the end the last segment just goes on."""
         at = self._belonging(times)
         return State(self.mechanism, times, partial(self._kinematics, times, at), partial(self._dynamics, times, at))
 
     def _belonging(self, times: Array) -> NDArray[np.intp]:
-        """The number of the segment that each instant belongs to."""
+        """Return the number of the segment that each instant belongs to."""
         if len(self.segments) == 1:
             return np.zeros(len(times), np.intp)
         return np.maximum(np.searchsorted(self._starts, times, side="right") - 1, 0)

@@ -66,7 +66,7 @@ def _stacked(problem: Problem, along: Array, lift: Array, sticking: list[int]) -
 
 
 def nonnegative(matrix: Array, right: Array) -> tuple[Array, float]:
-    """The x ≥ 0 that minimises |matrix·x − right|, and the largest entry of that residual.
+    """Return the x ≥ 0 that minimises |matrix·x − right|, and the largest entry of that residual.
 
     The active-set method of Lawson and Hanson, Solving Least Squares Problems (1974), chapter 23: let in the
     unknown that helps most; go back to the border if another would turn negative, and put that one out. It begins with

@@ -40,7 +40,7 @@ class Impact:
 
 
 def strike(system: System, instant: Instant, impact: Impact, still: float) -> Struck:
-    """The velocities just after, and what comes apart; slower than `still`, m/s, nothing closes."""
+    """Return the velocities just after, and what comes apart; slower than `still`, m/s, nothing closes."""
     rows = [instant.rows[number] for number in impact.rows]
     targets = [instant.rows[number].rate(instant.v) - instant.rates[number] for number in impact.rows]
     acting = list(impact.acting)
@@ -98,7 +98,7 @@ class Settling:
         self.event_log = EventLog(mechanism)
 
     def instant(self) -> Instant:
-        """The numbers of the present state."""
+        """Return the numbers of the present state."""
         equations = self.steady or self.curved
         assert equations is not None
         return equations.instant(self.now, self.q, self.v, self.phase)
@@ -209,7 +209,7 @@ class Settling:
         return None
 
     def balance(self, instant: Instant, snapped: set[int], rates: Sequence[float] | None) -> Balance:
-        """The forces; with what is due decided as it is due.
+        """Return the forces; with what is due decided as it is due.
 
         `rates` are those of rows before any impact; None: nothing is tight.
         """
@@ -230,11 +230,11 @@ class Settling:
         return balance(self.system, instant, Demand(tight, tuple(sliding), Mode(acting, tuple(guess)), self.kinds))
 
     def _least(self, grip: RoughContact) -> float:
-        """The slip that is none: where it is the rate of one coordinate alone that can be exactly zero."""
+        """Return the slip that is none: where it is the rate of one coordinate alone that can be exactly zero."""
         return 0.0 if self.curved is None and grip.coordinate >= 0 else STILL
 
     def _is_tight(self, instant: Instant, number: int, rates: Sequence[float]) -> bool:
-        """Whether a row may act: used up, and not growing.
+        """Return whether a row may act: used up, and not growing.
 
         What acted until now goes on, however far integration has drifted from it, unless an impact makes it grow.
         """
@@ -246,14 +246,14 @@ class Settling:
         return instant.spare[number] <= TOUCHING and abs(instant.rates[number]) <= self.still
 
     def _acts(self, number: int) -> bool:
-        """Whether a row acted until now, so that integration may have left it a little more than nothing."""
+        """Return whether a row acted until now, so that integration may have left it a little more than nothing."""
         return bool(self.segments) and self.mode.acting[number]
 
     def _is_due(self, kind: str, number: int) -> bool:
         return bool(self.due) and any(margin.kind == kind and margin.number == number for margin in self.due)
 
     def _pressed(self, instant: Instant, number: int, a: Row) -> bool:
-        """Whether two bodies that rest against each other are pressed together: hits without number."""
+        """Return whether two bodies that rest against each other are pressed together: hits without number."""
         near = instant.pairs[number]
         if self.phase.stuck[number] or abs(near.rate) > STILL:
             return False
@@ -275,7 +275,7 @@ class Settling:
     # -- small things ----------------------------------------------------------------------------
 
     def _unheld(self, instant: Instant) -> tuple[str, ...]:
-        """The massless bodies that may be the ones which nothing holds."""
+        """Return the massless bodies that may be the ones which nothing holds."""
         moving = {number for motion in instant.loads.weightless for number, part in enumerate(motion) if part}
         names = [c.name for number, c in enumerate(self.mechanism.coordinates) if number in moving]
         return tuple(names)

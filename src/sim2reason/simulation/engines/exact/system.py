@@ -44,11 +44,11 @@ class Near:
 
     @property
     def touching(self) -> bool:
-        """Whether the gap is closed."""
+        """Return whether the gap is closed."""
         return self.gap <= TOUCHING
 
     def second(self, a: Row) -> float:
-        """The second derivative of the gap, m/s²."""
+        """Return the second derivative of the gap, m/s²."""
         return self.bias + sum(part * a[number] for number, part in self.along.items())
 
     def closing(self, size: int, count: int) -> Gradient:
@@ -111,7 +111,7 @@ class System:
         check_speeds(mechanism)
 
     def _check_line(self, line: Line) -> float:
-        """The length of a line at the start, sites alone."""
+        """Return the length of a line at the start, sites alone."""
         total = 0.0
         for first, last in pairwise(line.through):
             try:
@@ -162,7 +162,7 @@ class System:
 
     @cached_property
     def phase(self) -> Phase:
-        """What is on at the start: forces whose region the body is in, engines, nothing stuck."""
+        """Return what is on at the start: forces whose region the body is in, engines, nothing stuck."""
         inside = tuple(
             tuple(margin > 0.0 for margin in force.region.margins(self.frames.center(force.body).place, math))
             if force.region is not None
@@ -186,14 +186,14 @@ class System:
         return tuple(found)
 
     def kinds(self, phase: Phase) -> list[RowKind]:
-        """What the rows are."""
+        """Return what the rows are."""
         found = self._kinds.get(phase.stuck)
         if found is None:
             found = self._kinds[phase.stuck] = row_kinds(self.mechanism, phase)
         return found
 
     def instant(self, time: float, q: Row, v: Row, phase: Phase) -> Instant:
-        """The numbers of one instant; SimulationError is the caller's business where they don't exist."""
+        """Return the numbers of one instant; SimulationError is the caller's business where they don't exist."""
         assembly = Assembly(self.mechanism, phase, (q, v, time), math)
         rows = assembly.rows(self.starts)
         return Instant(
@@ -220,7 +220,7 @@ class System:
         return Loads(mass, lifted, heave, force, press, weightless)
 
     def gradient(self, row: RowTerms) -> Gradient:
-        """The gradient of a row."""
+        """Return the gradient of a row."""
         return gradient(spread(row.along, self.size), spread(row.lift, self.count))
 
 
@@ -230,7 +230,7 @@ def _near(assembly: Assembly, meeting: Meeting) -> Near:
 
 
 def spread(entries: Mapping[int, Number], size: int) -> Row:
-    """A row with the given entries."""
+    """Return a row with the given entries."""
     row = [0.0] * size
     for number, part in entries.items():
         row[number] = float(part)

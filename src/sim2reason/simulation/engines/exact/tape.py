@@ -43,7 +43,7 @@ class Symbol:
     __radd__ = __add__
 
     def __neg__(self) -> "Symbol":
-        """A difference from zero."""
+        """Return a difference from zero."""
         return self.tape.node("neg", self.id, -1)
 
     def __sub__(self, other: Number) -> Number:
@@ -70,11 +70,11 @@ class Symbol:
     __rmul__ = __mul__
 
     def __truediv__(self, other: Number) -> Number:
-        """One is folded."""
+        """Return the quotient; a division by one leaves no operation."""
         return self if type(other) is float and other == 1.0 else self.tape.binary("/", self, other)
 
     def __rtruediv__(self, other: Number) -> Number:
-        """Zero divided is zero."""
+        """Return the quotient; zero divided by anything leaves no operation."""
         return 0.0 if type(other) is float and other == 0.0 else self.tape.binary("/", other, self)
 
 
@@ -102,7 +102,7 @@ class Tape:
     # ---- recording
 
     def node(self, operation: str, a: int, b: int) -> Symbol:
-        """The symbol of an operation on earlier nodes."""
+        """Return the symbol of an operation on earlier nodes."""
         key = (operation, a, b)
         number = self._known.get(key)
         if number is None:
@@ -113,11 +113,11 @@ class Tape:
         return Symbol(self, number)
 
     def binary(self, operation: str, a: Number, b: Number) -> Symbol:
-        """An operation on two numbers, one of them a symbol."""
+        """Return an operation on two numbers, one of them a symbol."""
         return self.node(operation, self._id(a), self._id(b))
 
     def commuting(self, operation: str, a: Number, b: Number) -> Symbol:
-        """The same for one that does not mind the order."""
+        """Return the same for one that does not mind the order."""
         one, other = self._id(a), self._id(b)
         return self.node(operation, min(one, other), max(one, other))
 
@@ -131,15 +131,15 @@ class Tape:
         return self.node("constant", self._constant[value], -1).id
 
     def sqrt(self, x: Number) -> Number:
-        """The square root."""
+        """Return the square root."""
         return self.node("sqrt", x.id, -1) if isinstance(x, Symbol) else math.sqrt(x)
 
     def sin(self, x: Number) -> Number:
-        """The sine."""
+        """Return the sine."""
         return self.node("sin", x.id, -1) if isinstance(x, Symbol) else math.sin(x)
 
     def cos(self, x: Number) -> Number:
-        """The cosine."""
+        """Return the cosine."""
         return self.node("cos", x.id, -1) if isinstance(x, Symbol) else math.cos(x)
 
     # ---- values at one point
@@ -180,7 +180,7 @@ class Tape:
     def code(
         self, outputs: Sequence[Number], guards: Sequence[tuple[Symbol, float]] = ()
     ) -> Callable[[Any], Callable[..., tuple[Any, ...]]]:
-        """What gives, for the functions of a kind of number (`math` or `numpy`), the code of `outputs`.
+        """Return what gives, for the functions of a kind of number (`math` or `numpy`), the code of `outputs`.
 
         The code is a function (t, y) of the first input and of a sequence with all others. A guard is a symbol whose
         size may not fall below a bound: ArithmeticError if it does.
@@ -284,14 +284,14 @@ class _Writer:
         self._text[number] = (name, 0)
 
     def name(self, number: int) -> str:
-        """How a node is written."""
+        """Return how a node is written."""
         return self._text[number][0]
 
     def constant(self, number: Said) -> str:
-        """How a number is written: itself if it belongs to the shape, else as a parameter."""
+        """Return how a number is written: itself if it belongs to the shape, else as a parameter."""
         return number if isinstance(number, str) else self.parameters.setdefault(number, f"c{len(self.parameters)}")
 
 
 def value_of(number: Number) -> float:
-    """The value of a number, symbol or not."""
+    """Return the value of a number, symbol or not."""
     return number.value if isinstance(number, Symbol) else float(cast("float", number))

@@ -47,7 +47,7 @@ def simulate(mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> T
 
 
 def is_simple(mechanism: Mechanism) -> bool:
-    """Whether the library's own constraints can stand for all that acts."""
+    """Return whether the library's own constraints can stand for all that acts."""
     plain = all(
         isinstance(line.law, ConstantTension) or line.law == Inextensible(_slack(line)) for line in mechanism.lines
     )

@@ -115,7 +115,7 @@ class CompiledModel:
         self._model.wrap_prm[first : first + count] = gradient[joints]
 
     def _tendon_gradients(self) -> Array:
-        """The library's own gradient of every tendon's length, (tendons, joints)."""
+        """Return the library's own gradient of every tendon's length, (tendons, joints)."""
         model, data = self._model, self._data
         dense = np.zeros((int(model.ntendon), self.size))
         for number in range(int(model.ntendon)):
@@ -126,13 +126,13 @@ class CompiledModel:
     # ---- geometry at the start, for what watches for events
 
     def site(self, name: str) -> tuple[Array, Array]:
-        """Where a site stands, (3,), and how it moves with the joints, (3, joints)."""
+        """Return where a site stands, (3,), and how it moves with the joints, (3, joints)."""
         number, jacobian = self._sites[name], np.zeros((3, self.size))
         mujoco.mj_jacSite(self._model, self._data, jacobian, None, number)
         return np.array(self._data.site_xpos[number]), jacobian
 
     def center(self, name: str) -> tuple[Array, Array]:
-        """The same for a body's centre of mass."""
+        """Return the same for a body's centre of mass."""
         number, jacobian = self._bodies[name], np.zeros((3, self.size))
         mujoco.mj_jacBodyCom(self._model, self._data, jacobian, None, number)
         return np.array(self._data.xipos[number]), jacobian
@@ -210,18 +210,18 @@ class CompiledModel:
         return np.array(self._data.ten_length)[self.paths] - self.start[self.paths]
 
     def rows(self) -> Integers:
-        """The slot of each constraint row that acts now."""
+        """Return the slot of each constraint row that acts now."""
         data = self._data
         return self._slot_of_row[data.efc_type[: data.nefc], data.efc_id[: data.nefc]]
 
     def forces(self, rows: Integers) -> Array:
-        """The force in every slot, N, given the slots of the rows."""
+        """Return the force in every slot, N, given the slots of the rows."""
         found = np.zeros(self.slots)
         found[rows] = self._data.efc_force[: len(rows)]
         return found
 
     def softness(self) -> Softness:
-        """What the library makes of its constraints now."""
+        """Return what the library makes of its constraints now."""
         data, count = self._data, int(self._data.nefc)
         gradient = np.array(data.efc_J).ravel()[: count * self.size].reshape(count, self.size)
         law = np.array(data.efc_KBIP).reshape(-1, 4)[:count]

@@ -26,7 +26,7 @@ ORDER = {kind: place for place, kind in enumerate(EVENT_KINDS)}  # of simultaneo
 
 
 def run(mechanism: Mechanism, times: Array) -> Trace:
-    """The motion at `times` (m,), in seconds, increasing from 0; see the package for errors."""
+    """Return the motion at `times` (m,), in seconds, increasing from 0; see the package for errors."""
     motion = SoftMotion(mechanism, float(times[-1]))
     while motion.advance():
         if motion.segments > SEGMENTS:

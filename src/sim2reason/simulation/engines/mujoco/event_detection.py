@@ -33,7 +33,7 @@ class Margins(NamedTuple):
     second: Array
 
     def used_up(self) -> Array:
-        """When each margin is used up next, s from now; infinity for never."""
+        """Return when each margin is used up next, s from now; infinity for never."""
         f, b, c = self
         near = f <= TOUCHING
         root = np.sqrt(np.maximum(b * b - 2.0 * c * f, 0.0))
@@ -134,25 +134,25 @@ class EventDetector:
                 raise SceneError(pair.names[0], f"it overlaps {pair.b} at the start", "move them apart")
 
     def finish(self, q: Array, v: Array, a: Array) -> Margins:
-        """What is left until each of the `ends`."""
+        """Return what is left until each of the `ends`."""
         return Margins(self._offsets + self._ends @ q, self._ends @ v, self._ends @ a)
 
     def strings(self, q: Array, v: Array, a: Array) -> Margins:
-        """What each string may still lengthen."""
+        """Return what each string may still lengthen."""
         return Margins(self.slack - self._strings @ q, -self._strings @ v, -self._strings @ a)
 
     def approach(self, q: Array, v: Array, a: Array) -> Encounter:
-        """How the pairs stand and move."""
+        """Return how the pairs stand and move."""
         return Encounter(self._apart + self._moves @ q, self._moves @ v, self._moves @ a, self._distance)
 
     def closing(self, q: Array) -> Array:
-        """The gradients of the gaps, (pairs, joints)."""
+        """Return the gradients of the gaps, (pairs, joints)."""
         apart = self._apart + self._moves @ q
         unit = apart / np.linalg.norm(apart, axis=1)[:, None]
         return np.einsum("pi,pij->pj", unit, self._moves)
 
     def next_change(self, q: Array, v: Array, a: Array, loose: Flags, sliding: Array) -> float:
-        """The time until a string is full, a pair meets, or a rough contact stops sliding."""
+        """Return the time until a string is full, a pair meets, or a rough contact stops sliding."""
         soonest = inf
         if loose.any():
             soonest = float(self.strings(q, v, a).used_up()[loose].min())
@@ -173,7 +173,7 @@ class EventDetector:
         return depth / -rate if 0.0 < depth < -rate * duration else 0.5 * duration
 
     def bent(self) -> bool:
-        """Whether a string through its sites is not as long as the gradients of the start say.
+        """Return whether a string through its sites is not as long as the gradients of the start say.
 
         What has come within a hair of its end is not looked at: there a run may have passed through nothing.
         """
@@ -184,7 +184,7 @@ class EventDetector:
 
 
 def slack_of(line: Line) -> float:
-    """What a string has to spare at the start."""
+    """Return what a string has to spare at the start."""
     return line.law.slack if isinstance(line.law, Inextensible) else 0.0
 
 

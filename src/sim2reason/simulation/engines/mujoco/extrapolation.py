@@ -27,7 +27,7 @@ class Extrapolated(NamedTuple):
 
 
 def extrapolated(rate: Rate, time: float, values: Array, first: Array, h: float, tolerance: float) -> Extrapolated:
-    """A step of `h` from `values`, at which the rate is `first`; its order is as high as the tolerance asks."""
+    """Return a step of `h` from `values`, at which the rate is `first`; its order is as high as the tolerance asks."""
     table: list[Array] = []
     error = 0.0
     for column, substeps in enumerate(SEQUENCE):

@@ -90,7 +90,7 @@ def _decide(
 
 
 def strike(model: CompiledModel, detector: EventDetector, q: Array, v: Array) -> tuple[Array, tuple[int, ...]]:
-    """The velocities just after an impact, and the contacts that it lifts off their faces.
+    """Return the velocities just after an impact, and the contacts that it lifts off their faces.
 
     The solver sees impulses as forces, and velocities as accelerations from M·v, with neither gravity nor pulls.
     """
@@ -122,7 +122,7 @@ def weightless(model: CompiledModel) -> Array:
 
 
 def _loose(model: CompiledModel, taut: Flags, rubbing: Array) -> bool:
-    """Whether some massless part is held neither by a string that pulls nor by a contact that sticks."""
+    """Return whether some massless part is held neither by a string that pulls nor by a contact that sticks."""
     free = weightless(model)
     if not free.shape[1]:
         return False
@@ -133,7 +133,7 @@ def _loose(model: CompiledModel, taut: Flags, rubbing: Array) -> bool:
 
 
 def _undetermined(model: CompiledModel, strings: Flags, held: Flags, rubbing: Array) -> Flags:
-    """The forces that could be others with all that is motionless counted as acting: a pattern has no effect."""
+    """Return the forces that could be others with all that is motionless counted as acting: a pattern has no effect."""
     unit = np.eye(model.size)
     drag = np.where(held, 0.0, rubbing) * model.friction
     faces = -unit[model.faces] + drag[:, None] * unit[model.rubs]

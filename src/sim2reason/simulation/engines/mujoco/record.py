@@ -24,7 +24,7 @@ class Recorder:
         self.forces.append(forces)
 
     def state(self, times: Array) -> State:
-        """The motion at `times`, s: Hermite's cubic between ends of steps; after the last, on as there."""
+        """Return the motion at `times`, s: Hermite's cubic between ends of steps; after the last, on as there."""
         knots, motion = np.array(self.times), np.array(self.motion)
         first = np.maximum(np.searchsorted(knots, times, side="right") - 1, 0)
         last = np.minimum(first + 1, len(knots) - 1)

@@ -66,7 +66,7 @@ class Specification:
         self.locks = [self._lock(self.joints[c.slip[0][0]]) for c in mechanism.contacts.values()]
 
     def compile(self) -> tuple[Any, Any]:
-        """The library's model and data; SimulationError for what it refuses."""
+        """Return the library's model and data; SimulationError for what it refuses."""
         try:
             model = self.spec.compile()
         except ValueError as error:
@@ -134,7 +134,7 @@ class Specification:
         self.carriers.append(self._sum(self._name("sum")) if line.wheels else path)
 
     def _lock(self, joint: Element) -> Element:
-        """What holds a joint where it is, while the engine says that it sticks."""
+        """Return what holds a joint where it is, while the engine says that it sticks."""
         lock = self.spec.add_equality(type=mujoco.mjtEq.mjEQ_JOINT, name1=joint.name, active=False)
         lock.objtype = mujoco.mjtObj.mjOBJ_JOINT
         lock.solref, lock.solimp = (2.0 * STEP, 1.0), (IMPEDANCE, IMPEDANCE, 0.001, 0.5, 2.0)

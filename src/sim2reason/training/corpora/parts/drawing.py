@@ -23,7 +23,7 @@ RowsOf = Callable[[Request], list[Row] | None]
 def drawn_rows(
     problems: Fresh, rows_of: RowsOf, items: int, workers: int, left_out: Counter[str], reason: str
 ) -> Iterator[Row]:
-    """The rows of the first so many problems that have some, in their order; of the others, `reason` counts them.
+    """Yield the rows of the first so many problems that have some, in their order; of the others, `reason` counts them.
 
     Where problems are so rare that they are given up, there are fewer.
     """
@@ -46,7 +46,7 @@ def drawn_rows(
 
 
 def _stretch(problems: Fresh, rows_of: RowsOf, number: int, size: int) -> list[list[Row]]:
-    """The rows of each problem of a stretch."""
+    """Return the rows of each problem of a stretch."""
     cells, found = problems.cells, list[list[Row]]()
     for place in range(number * size, (number + 1) * size):
         index, cell = divmod(place, len(cells))

@@ -55,7 +55,7 @@ class EncodedRow:
         return [IGNORED] * len(self.prompt) + self.completion
 
     def excess(self, limits: Limits) -> str:
-        """Which limit it passes; empty if none."""
+        """Return which limit it passes; empty if none."""
         if len(self.prompt) > limits.prompt:
             return "prompt too long"
         if len(self.completion) > limits.completion:
@@ -66,7 +66,7 @@ class EncodedRow:
 def encoded_table(
     rows: Sequence[Row], tokenizer: External, limits: Limits, *, chat: bool
 ) -> tuple[pa.Table, Counter[str]]:
-    """The rows within limits as trainers take them, and how many are beyond which.
+    """Return the rows within limits as trainers take them, and how many are beyond which.
 
     The columns are `input_ids`, `labels`, both of tokens, and `length`, how many a row has.
     """
@@ -93,7 +93,7 @@ def _lists(held: Sequence[Sequence[int]]) -> pa.ListArray:
 
 
 def encoded(rows: Sequence[Row], tokenizer: External, *, chat: bool) -> list[EncodedRow]:
-    """All rows in tokens; with `chat` as messages in the tokenizer's template, else as plain texts."""
+    """Return all rows in tokens; with `chat` as messages in the tokenizer's template, else as plain texts."""
     pairs = [templated(row, tokenizer) if chat else (row.prompt, row.completion) for row in rows]
     first = _tokens([prompt for prompt, _ in pairs], tokenizer, special=not chat)
     second = _tokens([completion for _, completion in pairs], tokenizer, special=False)
@@ -102,7 +102,7 @@ def encoded(rows: Sequence[Row], tokenizer: External, *, chat: bool) -> list[Enc
 
 
 def templated(row: Row, tokenizer: External) -> tuple[str, str]:
-    """A row as its messages are written: what stands before the completion, and that to the end of its turn.
+    """Return a row as its messages are written: what stands before the completion, and that to the end of its turn.
 
     Where a template writes an earlier turn otherwise than the one to be answered, the completion stands as it is.
     """

@@ -14,7 +14,7 @@ LONGEST: Final = 2**24  # bytes of a line
 
 
 def rows_in(path: Path, prompt: str = "prompt", completion: str = "completion") -> Iterator[Row]:
-    """The row in each line of a file, by the names of its two fields; empty lines are passed over.
+    """Yield the row in each line of a file, by the names of its two fields; empty lines are passed over.
 
     Raises:
         TrainingError: no such file, or a line that holds no such texts; it names the line.

@@ -40,7 +40,7 @@ class Mix:
 
 
 def mixed(corpora: Sequence[Corpus], seed: int, avoid: frozenset[str] = frozenset()) -> Mix:
-    """All rows of all corpora, weighted and shuffled: a pure function of the corpora and the seed.
+    """Return all rows of all corpora, weighted and shuffled: a pure function of the corpora and the seed.
 
     Rows whose prompt or fingerprint is one to `avoid`, which is kept for evaluation, are left out.
 
@@ -74,7 +74,7 @@ def counted(reasons: Mapping[str, int]) -> str:
 
 
 def _weighted(rows: list[Row], weight: float, rng: np.random.Generator) -> list[Row]:
-    """Each row as many times as the weight is whole, and a random part of them once more; at least one."""
+    """Return each row as many times as the weight is whole, and a random part of them once more; at least one."""
     times, part = divmod(weight, 1.0)
     more = rng.permutation(len(rows))[: round(part * len(rows))]
     return rows * int(times) + [rows[place] for place in sorted(more)] or [rows[0]]

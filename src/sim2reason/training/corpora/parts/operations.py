@@ -37,7 +37,7 @@ class UnwrittenError(Exception):
 
 
 def definitions(solution: Solution) -> Definitions:
-    """The formulas that lead from what is given to the goal, the goal last; empty where there are none such."""
+    """Return the formulas that lead from what is given to the goal, the goal last; empty where there are none such."""
     known = given(solution)
     found: dict[str, Expression] = {}
     for relation in solution.relations:
@@ -80,7 +80,7 @@ def arithmetic(solution: Solution, slip: Callable[[Definitions], Definitions] = 
 
 
 def given(solution: Solution) -> dict[str, float]:
-    """The numbers that a problem states."""
+    """Return the numbers that a problem states."""
     return {
         relation.left.latex(): solution.values[relation.left.latex()]
         for relation in solution.relations
@@ -104,7 +104,7 @@ class _Operand:
 
 
 def _constant(value: float) -> _Operand:
-    """A pure number: a fraction where it is a simple one."""
+    """Return a pure number: a fraction where it is a simple one."""
     fraction = simple_fraction(value)
     return _rounded(value) if fraction is None else _Operand(str(fraction), value)
 
@@ -150,7 +150,7 @@ class _Written:
                 return self._function(held)
 
     def _step(self, text: str, value: float) -> _Operand:
-        """An operation, written where it has not been worked out before."""
+        """Return an operation, written where it has not been worked out before."""
         if text not in self._done:
             self._done[text] = _rounded(value)
             operation = text.removeprefix(self._last)
@@ -191,7 +191,7 @@ class _Written:
         return product
 
     def _inline(self, held: Expression) -> _Operand:
-        """A function that is written inside a product, as in 9.8*sin44."""
+        """Return a function that is written inside a product, as in 9.8*sin44."""
         if isinstance(held, Call):
             return self._called(held)
         return self._operand(held)
@@ -223,7 +223,7 @@ class _Written:
 
 
 def _repeated(held: Expression) -> Iterator[Expression]:
-    """The factors of a power, one by one."""
+    """Yield the factors of a power, one by one."""
     if isinstance(held, Power) and 0 < held.exponent <= LONGEST_POWER and not isinstance(held.base, Call):
         yield from (held.base for _ in range(held.exponent))
     else:

@@ -27,7 +27,7 @@ _NUMBER = re.compile(r"(?<![\w.,])\d+(?:\.\d+)?(?![\w]*[.,]?\d)")
 
 
 def renumbered(prompt: str, solution: Solution, rng: np.random.Generator) -> tuple[str, Solution] | None:
-    """A prompt and its solution with other numbers; None where none are found that keep all signs.
+    """Return a prompt and its solution with other numbers; None where none are found that keep all signs.
 
     A number is changed where the prompt says it once, in the digits of the problem; others stay.
     """
@@ -42,7 +42,7 @@ def renumbered(prompt: str, solution: Solution, rng: np.random.Generator) -> tup
 
 
 def _changed(prompt: str, solution: Solution, rng: np.random.Generator) -> tuple[str, dict[str, float]]:
-    """The prompt with other numbers, and what is given then."""
+    """Return the prompt with other numbers, and what is given then."""
     places = [(found.span(), found.group()) for found in _NUMBER.finditer(prompt)]
     numbers, changes = dict(given(solution)), list[Place]()
     for name, value in numbers.items():
@@ -64,12 +64,12 @@ def _changed(prompt: str, solution: Solution, rng: np.random.Generator) -> tuple
 
 
 def _said(places: list[Place], value: float) -> list[Place]:
-    """Where a number stands."""
+    """Return where a number stands."""
     return [(span, text) for span, text in places if isclose(float(text), value, rel_tol=1e-9)]
 
 
 def _like(text: str, value: float) -> str:
-    """A number with as many significant digits as a text has."""
+    """Return a number with as many significant digits as a text has."""
     digits = len(text.replace(".", "").lstrip("0")) or 1
     rounded = float(f"{value:.{digits - 1}e}")
     decimals = max(0, digits - 1 - int(np.floor(np.log10(rounded))))
@@ -77,7 +77,7 @@ def _like(text: str, value: float) -> str:
 
 
 def _values(solution: Solution, numbers: Mapping[str, float]) -> dict[str, float] | None:
-    """What follows from the numbers; None if a sign changes, or a formula has no value."""
+    """Return what follows from the numbers; None if a sign changes, or a formula has no value."""
     values = dict(numbers)
     for name, formula in definitions(solution).items():
         try:

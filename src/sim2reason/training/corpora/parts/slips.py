@@ -64,7 +64,7 @@ SLIPS: Final[Mapping[str, Changes]] = {"factor": _factor, "function": _function,
 
 
 def slipped(held: Definitions, shares: Mapping[str, float], rng: np.random.Generator) -> Definitions:
-    """The same formulas with slips: each kind is made with its probability, where there is place for one."""
+    """Return the same formulas with slips: each kind is made with its probability, where there is place for one."""
     for kind, share in sorted(shares.items()):
         wrong = rng.random() < share
         ways = [(name, way) for name, formula in held.items() for way in _anywhere(formula, SLIPS[kind])]
@@ -75,7 +75,7 @@ def slipped(held: Definitions, shares: Mapping[str, float], rng: np.random.Gener
 
 
 def _anywhere(held: Expression, changes: Changes) -> Iterator[Expression]:
-    """A formula with one slip, in itself or in one of its parts."""
+    """Yield a formula with one slip, in itself or in one of its parts."""
     yield from changes(held)
     for place, part in enumerate(held.parts):
         for changed in _anywhere(part, changes):

@@ -46,7 +46,7 @@ class Checkpoint:
         return Loaded(model, tokenizer, self.path)
 
     def tokenizer(self, **settings: object) -> External:
-        """That of the checkpoint; one without a token to pad with pads with the one that ends a text."""
+        """Return that of the checkpoint; one without a token to pad with pads with the one that ends a text."""
         with self._explained():
             found = library("transformers").AutoTokenizer.from_pretrained(self.path, **self._source, **settings)
         if found.eos_token_id is None:
@@ -57,7 +57,7 @@ class Checkpoint:
 
     @property
     def context(self) -> int:
-        """How many tokens the model was made for; without end where its configuration does not say."""
+        """Return how many tokens the model was made for; without end where its configuration does not say."""
         return context_of(self._config())
 
     def check(self) -> None:
@@ -70,7 +70,7 @@ class Checkpoint:
 
     @property
     def settings(self) -> dict[str, Any]:
-        """What `from_pretrained` of a model is told beside the path: what is chosen, and nothing else."""
+        """Return what `from_pretrained` of a model is told beside the path: what is chosen, and nothing else."""
         chosen = {"dtype": self.precision, "attn_implementation": self.attention}
         with self._explained():
             return {**self._source, **{name: value for name, value in chosen.items() if value != "auto"}}
@@ -85,5 +85,5 @@ class Checkpoint:
 
 
 def context_of(config: External) -> int:
-    """How many tokens a model of this configuration was made for."""
+    """Return how many tokens a model of this configuration was made for."""
     return getattr(config.get_text_config(), "max_position_embeddings", None) or ENDLESS

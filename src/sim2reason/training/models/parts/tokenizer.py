@@ -19,7 +19,7 @@ SMALLEST = 256 + 2
 
 
 def made(texts: Iterable[str], vocabulary: int, alone: str = ALONE) -> External:
-    """A tokenizer of at most `vocabulary` pieces, none of which joins a character of `alone` with another.
+    """Return a tokenizer of at most `vocabulary` pieces, none of which joins a character of `alone` with another.
 
     It is a function of the texts as a multiset: their order and the number of threads do not matter.
     """

@@ -38,7 +38,7 @@ class Problem(vf.Task[ProblemData]):
         return score(self.data.ground_truth, trace.last_reply).reward
 
     async def validate(self, runtime: vf.Runtime) -> bool:
-        """Whether the right answer passes, which `vf-validate` asks."""
+        """Return whether the right answer passes, which `vf-validate` asks."""
         del runtime
         return score(self.data.ground_truth, boxed(self.data.answer)).reward == 1.0
 

@@ -35,7 +35,7 @@ class Attractions:
         self._began = self._at_the_start() if pairs else np.zeros(0)
 
     def closeness(self, data: Any) -> float:  # noqa: ANN401 - MuJoCo's
-        """How near a pair is, at most 1, relative to the start: what a place may err by shrinks with it.
+        """Return how near a pair is, at most 1, relative to the start: what a place may err by shrinks with it.
 
         For where two pass each other closely, a small part of their orbits is a large part of their distance, on which
         hangs where they are sent.
@@ -44,7 +44,7 @@ class Attractions:
         return max(NEAREST, min(1.0, float(np.sqrt((squares / self._began).min()))))
 
     def _at_the_start(self) -> Array:
-        """The squares of the distances of each pair before anything moves, m²."""
+        """Return the squares of the distances of each pair before anything moves, m²."""
         data = mujoco.MjData(self._model)
         mujoco.mj_fwdPosition(self._model, data)
         return self._squares(data)[1]
@@ -66,7 +66,7 @@ class Attractions:
         return (pulls[:, None] * apart).ravel() @ self._moved(data)
 
     def _moved(self, data: Any) -> Array:  # noqa: ANN401 - MuJoCo's
-        """How the two of each pair come together, (3·pairs, joints)."""
+        """Return how the two of each pair come together, (3·pairs, joints)."""
         if self._apart is not None:
             return self._apart
         for body in self._bodies:

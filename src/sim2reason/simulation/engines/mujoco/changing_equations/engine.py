@@ -27,7 +27,7 @@ SEGMENTS = 500
 
 
 def run(mechanism: Mechanism, times: Array) -> Trace:
-    """The motion at `times` (m,), in seconds, increasing from 0; see the package for errors."""
+    """Return the motion at `times` (m,), in seconds, increasing from 0; see the package for errors."""
     motion: HardMotion | None = None
     try:
         with np.errstate(over="raise"):

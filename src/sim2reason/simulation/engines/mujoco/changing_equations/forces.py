@@ -108,7 +108,7 @@ class Acting(NamedTuple):
 
 
 def acting(way: Way, friction: Array) -> Acting:
-    """What acts in one way."""
+    """Return what acts in one way."""
     closed = [i for i, shut in enumerate(way.faces) if shut]
     sticking = [i for i in closed if friction[i] > 0.0 and way.rubbing[i] == 0]
     return Acting([i for i, acts in enumerate(way.rows) if acts], closed, sticking)
@@ -136,7 +136,7 @@ def system(
 
 
 def solved(instant: HardInstant, way: Way) -> Found | None:
-    """The linear system of one way, solved; None if it has no solution."""
+    """Return the linear system of one way, solved; None if it has no solution."""
     instant.budget.spend(TRY + FORCE * (len(way.rows) + len(way.faces)))
     n, faces = len(instant.loads), Faces(instant.rises, instant.slips, instant.friction)
     acts = acting(way, instant.friction)
@@ -192,7 +192,7 @@ def _is_regular(matrix: Array) -> bool:
 
 
 def quick(matrix: Array, wanted: Array) -> Array | None:
-    """The solution of a system that plainly has one."""
+    """Return the solution of a system that plainly has one."""
     try:
         found: Array = np.asarray(np.linalg.solve(matrix, wanted), dtype=np.float64)
     except np.linalg.LinAlgError:
@@ -232,7 +232,7 @@ class Row:
 
     @property
     def both(self) -> bool:
-        """Whether it acts both ways."""
+        """Return whether it acts both ways."""
         return self.kind in ("rod", "hold", "stuck")
 
 
@@ -256,6 +256,6 @@ class Situation:
     strained: list[bool]
 
     def copy(self) -> "Situation":
-        """The same, to be kept."""
+        """Return the same, to be kept."""
         inside = [list(each) for each in self.inside]
         return Situation(inside, list(self.burning), list(self.stuck), list(self.strained))

@@ -72,7 +72,7 @@ class Lines:
         self._dots = np.zeros_like(self._jacobians)
 
     def lengths(self, data: Any, q: Array) -> Lengths:  # noqa: ANN401 - MuJoCo's
-        """How long the lines are, and how that changes with the joints."""
+        """Return how long the lines are, and how that changes with the joints."""
         places = data.site_xpos.take(self._sites, axis=0)
         apart = places.take(self._last, axis=0) - places.take(self._first, axis=0)
         runs, ways = self._directed(apart)
@@ -83,7 +83,7 @@ class Lines:
         return Lengths(values, gradients, Pieces(places, runs, ways, moved))
 
     def _directed(self, apart: Array) -> tuple[Array, Array]:
-        """How long pieces are, and their directions, given how their ends lie apart, (pieces, 3)."""
+        """Return how long pieces are, and their directions, given how their ends lie apart, (pieces, 3)."""
         keeps = self._keeps
         runs: Array = np.sqrt(np.vecdot(apart, apart))
         if not (runs.all() or (runs.astype(bool) | keeps).all()):
@@ -94,7 +94,7 @@ class Lines:
         return np.where(keeps, np.vecdot(apart, self._kept), runs), np.where(keeps[:, None], self._kept, turning)
 
     def bends(self, data: Any, v: Array, pieces: Pieces) -> Array:  # noqa: ANN401 - MuJoCo's
-        """The second derivatives of their lengths at q̈ = 0, m/s²."""
+        """Return the second derivatives of their lengths at q̈ = 0, m/s²."""
         places, runs, ways, moved = pieces
         parting = moved @ v
         along = np.vecdot(ways, parting)
@@ -109,11 +109,11 @@ class Lines:
         return self._summed(found)
 
     def _summed(self, parts: Array) -> Array:
-        """What pieces have, line by line."""
+        """Return what pieces have, line by line."""
         return parts if self._single else self._owned @ parts
 
     def _moved(self, data: Any, places: Array) -> Array:  # noqa: ANN401 - MuJoCo's
-        """How the ends of each piece move apart, (pieces, 3, joints); always the same where nothing turns."""
+        """Return how the ends of each piece move apart, (pieces, 3, joints); always the same where nothing turns."""
         if self._apart is not None:
             return self._apart
         for number, carrier in enumerate(self._carriers):
@@ -137,7 +137,7 @@ class Pulls:
         self._damps = bool(self._damping.any())
 
     def load(self, data: Any, q: Array, v: Array, idle: list[Line]) -> Array:  # noqa: ANN401 - MuJoCo's
-        """The load on the joints, (joints,), of all lines but those that are `idle`."""
+        """Return the load on the joints, (joints,), of all lines but those that are `idle`."""
         values, gradients, _ = self._lines.lengths(data, q)
         tension = self._given + self._stiffness * (values - self._natural)
         if self._damps:

@@ -45,7 +45,7 @@ class ActingModel:
         self._unbound = not (way.rows or way.faces)  # nothing constrains it: no force is looked for
 
     def _rate(self) -> Callable[[float, Array], Array]:
-        """The rate of (q, v)."""
+        """Return the rate of (q, v)."""
         model, situation, way, n = self.model, self.situation, self.way, self.model.size
         faces, acts = Faces(model.rises, model.slips, model.friction), acting(way, model.friction)
         free = not (acts.rows or acts.closed)
@@ -68,11 +68,11 @@ class ActingModel:
         return rate
 
     def forces(self) -> Found:
-        """All forces of the state at which the model stands."""
+        """Return all forces of the state at which the model stands."""
         return self.record.forces(self.way)
 
     def knot(self, time: float, values: Array) -> tuple[Knot, list[Due]]:
-        """The end of a step, and all margins there."""
+        """Return the end of a step, and all margins there."""
         n = self.model.size
         if self._unbound:
             return Knot(time, values, self.rate(time, values)), self.margins()
@@ -92,14 +92,14 @@ class ActingModel:
         return self.model.closeness()
 
     def margins(self) -> list[Due]:
-        """All margins of the state at which the model stands."""
+        """Return all margins of the state at which the model stands."""
         return [*self._places(), *self._switches()] if self._unbound else self._margins(self.forces())
 
     def _margins(self, forces: Found) -> list[Due]:
         return [*self._rows(forces), *self._faces(forces), *self._places(), *self._switches()]
 
     def distances(self) -> list[Due]:
-        """Those of the margins that are distances, which need no forces."""
+        """Return those of the margins that are distances, which need no forces."""
         return [due for due in [*self._places(), *self._switches()] if due.kind in DISTANCES]
 
     def _rows(self, forces: Found) -> Iterator[Due]:
@@ -161,7 +161,7 @@ HALVINGS = 30  # tries to find a point of a step at which a distance is less tha
 
 
 def _room(margin: float, ready: bool) -> float:  # noqa: FBT001 - one of a pair
-    """How far a margin may fall short of nothing before it is due; from a hair below on, if it begins there."""
+    """Return how far a margin may fall short of nothing before it is due; from a hair below on, if it begins there."""
     if ready or margin < -DRIFT:
         return 0.0
     return ARMED + max(0.0, -margin)
@@ -179,7 +179,7 @@ class EventSearch:
         self._span = step[1].time - step[0].time
 
     def due(self, duration: float) -> tuple[Knot, list[Due]] | None:
-        """The end of the step where something is due first, and what is; None if nothing is."""
+        """Return the end of the step where something is due first, and what is; None if nothing is."""
         start, before = self._step[0], self._ends[0]
         if self._worst(before) < 0.0:
             return start, [due for due, r in zip(before, self._room, strict=True) if due.value + r < 0.0]
@@ -218,7 +218,7 @@ class EventSearch:
         return any(risen)
 
     def _simultaneous(self, margins: list[Due], duration: float) -> list[Due]:
-        """What is due, and what will be within a tie."""
+        """Return what is due, and what will be within a tie."""
         speeds = [abs(b.value - a.value) / self._span for a, b in zip(*self._ends, strict=True)]
         near = [max(1e-9, TIE * duration * speed) for speed in speeds]
         return [due for due, r, close in zip(margins, self._room, near, strict=True) if due.value + r <= close]
@@ -240,7 +240,7 @@ class EventSearch:
         return self._crossing(0.0, high)
 
     def _crossing(self, low: float, high: float) -> float:
-        """The end of a short piece of the step in which the last is used up; each piece is halved at least.
+        """Return the end of a short piece of the step in which the last is used up; each piece is halved at least.
 
         Guesses are those of C. Ridders, A new algorithm for computing a single root, IEEE Trans. Circuits Syst. 26
         (1979), and are bracketed at once.
@@ -259,7 +259,7 @@ class EventSearch:
         return high
 
     def _dip(self) -> float | None:
-        """Where a distance that is left at both ends of the step is used up between them.
+        """Return where a distance that is left at both ends of the step is used up between them.
 
         It falls at the first and rises at the second, and the tangents there meet below zero, or two points of a line
         come together, which may bend the tangents the other way.
@@ -278,7 +278,7 @@ class EventSearch:
         return None
 
     def _bottom(self, number: int, x: float) -> float | None:
-        """A fraction of the step at which a distance is less than nothing, sought from `x` on down its slope."""
+        """Return a fraction of the step at which a distance is less than nothing, sought from `x` on down its slope."""
         low, high = 0.0, 1.0
         for _ in range(HALVINGS):
             value, after = (self._distances(each)[number] for each in (x, x + NARROW))
@@ -289,16 +289,16 @@ class EventSearch:
         return None
 
     def _distances(self, x: float) -> list[float]:
-        """The margins at a fraction of the step that are distances."""
+        """Return the margins at a fraction of the step that are distances."""
         self._stand(x)
         return [due.value for due in self._acting.distances()]
 
     def _left(self, x: float) -> float:
-        """What is left of the worst margin at a fraction of the step, by the curve between its ends."""
+        """Return what is left of the worst margin at a fraction of the step, by the curve between its ends."""
         return self._worst(self._between(x))
 
     def _between(self, x: float) -> list[Due]:
-        """All margins at a fraction of the step."""
+        """Return all margins at a fraction of the step."""
         self._stand(x)
         return self._acting.margins()
 

@@ -55,7 +55,7 @@ class HardModel:
         self.begin()
 
     def _slips(self) -> Array:
-        """How the surfaces of each face slip, (faces, joints)."""
+        """Return how the surfaces of each face slip, (faces, joints)."""
         found = np.zeros((len(self.mechanism.faces), self.size))
         for number, face in enumerate(self.mechanism.faces):
             for name, factor in face.slip:
@@ -97,13 +97,13 @@ class HardModel:
         mujoco.mj_setConst(self._model, self._data)
 
     def inertia(self) -> Array:
-        """The library's mass matrix, (joints, joints)."""
+        """Return the library's mass matrix, (joints, joints)."""
         if self.size:
             mujoco.mj_fullM(self._model, self._data, self._mass)
         return self._mass
 
     def unheld(self, loads: Array) -> Array:
-        """The accelerations under `loads`, (joints,), where no row and no face acts."""
+        """Return the accelerations under `loads`, (joints,), where no row and no face acts."""
         found = np.zeros((1, self.size))
         mujoco.mj_solveM(self._model, self._data, found, loads[None])
         return np.asarray(found[0], dtype=np.float64)
@@ -130,7 +130,7 @@ class HardModel:
         return x if abs(x).max(initial=0.0) < LARGE else None
 
     def _moving(self, kind: str, name: str) -> Moving:
-        """A site or a centre of mass."""
+        """Return a site or a centre of mass."""
         known = self._points.get((kind, name))
         if known is not None:
             return known
@@ -157,15 +157,15 @@ class HardModel:
         return found
 
     def place(self, site: str) -> Array:
-        """Where a site is, (3,)."""
+        """Return where a site is, (3,)."""
         return np.array(self._data.site_xpos[self._site_id[site]])
 
     def site(self, name: str) -> Moving:
-        """A site."""
+        """Return a site."""
         return self._moving("site", name)
 
     def center(self, name: str) -> Moving:
-        """The centre of mass of a body."""
+        """Return the centre of mass of a body."""
         return self._moving("body", name)
 
     # ---- loads
@@ -192,29 +192,29 @@ class HardModel:
         return total
 
     def closeness(self) -> float:
-        """How near two are that attract each other, at most 1, relative to the start."""
+        """Return how near two are that attract each other, at most 1, relative to the start."""
         return self._attracted.closeness(self._data)
 
     # ---- lengths and rows
 
     def _lines(self) -> tuple[Lengths, Array]:
-        """How long the lines are that are rows, and the second derivatives of that at q̈ = 0."""
+        """Return how long the lines are that are rows, and the second derivatives of that at q̈ = 0."""
         if self._measured is None:
             found = self._rowed.lengths(self._data, self.q)
             self._measured = found, self._rowed.bends(self._data, self.v, found.pieces)
         return self._measured
 
     def rows(self) -> list[Row]:
-        """All rows: lines, two for each foot, pairs that stick together."""
+        """Return all rows: lines, two for each foot, pairs that stick together."""
         return [self.row(number) for number in range(self.count)]
 
     @property
     def count(self) -> int:
-        """How many rows there are."""
+        """Return how many rows there are."""
         return len(self._rowed.lines) + 2 * len(self.mechanism.feet) + sum(self._situation.stuck)
 
     def row(self, number: int) -> Row:
-        """One row."""
+        """Return one row."""
         lines, feet = len(self._rowed.lines), 2 * len(self.mechanism.feet)
         if number < lines:
             return self._line_row(number)
@@ -226,7 +226,7 @@ class HardModel:
         return Row("stuck", " and ".join(meeting.names), -gradient, gap, -rate, bias)
 
     def _foot_row(self, index: int, number: int) -> Row:
-        """What keeps a foot above its plane, or, after it, from slipping there."""
+        """Return what keeps a foot above its plane, or, after it, from slipping there."""
         foot = self.mechanism.feet[index]
         point, normal = self.site(foot.site), np.array(foot.normal)
         gap = float(normal @ point.place) - foot.height
@@ -250,7 +250,7 @@ class HardModel:
         return Row(line.law.row, line.name, gradient, spare, rate + line.law.reel, -bias)
 
     def separation(self, meeting: Meeting) -> tuple[float, float, Array, float]:
-        """The gap of a meeting, its rate, gradient and second derivative at q̈ = 0."""
+        """Return the gap of a meeting, its rate, gradient and second derivative at q̈ = 0."""
         other = self.center(meeting.b)
         still = np.zeros(3)
         one = Moving(still, still, still, np.zeros((3, self.size))) if meeting.a is None else self.center(meeting.a)
@@ -263,7 +263,7 @@ class HardModel:
         return gap, float(gradient @ self.v), gradient, float(normal @ (other.bias - one.bias))
 
     def borders(self, number: int) -> list[float]:
-        """The margins of the region of a force; none if it acts everywhere."""
+        """Return the margins of the region of a force; none if it acts everywhere."""
         force = self.mechanism.forces[number]
         if force.region is None:
             return []
@@ -271,7 +271,7 @@ class HardModel:
         return [float(margin) for margin in force.region.margins(place, np)]
 
     def strain(self, number: int) -> tuple[float, float]:
-        """How far a spring that acts one way is on the side where it does, m, and the rate of that."""
+        """Return how far a spring that acts one way is on the side where it does, m, and the rate of that."""
         line, law = self.mechanism.half_springs[number]
         place = self._drawn.lines.index(line)
         found = self._drawn.lengths(self._data, self.q)

@@ -21,7 +21,7 @@ Change = tuple[str, int, int]
 
 
 def search(instant: HardInstant, guess: Way) -> Found:
-    """The way that holds, nearest to a guess; SimulationError if none does."""
+    """Return the way that holds, nearest to a guess; SimulationError if none does."""
     start = replace_rows(instant, guess)
     found = _mended(instant, start) or next(
         (each for way in islice(_ways(instant, guess), MOST) if (each := _held(instant, way)) is not None), None
@@ -32,13 +32,13 @@ def search(instant: HardInstant, guess: Way) -> Found:
 
 
 def _held(instant: HardInstant, way: Way) -> Found | None:
-    """The forces of a way if it holds."""
+    """Return the forces of a way if it holds."""
     found = solved(instant, way)
     return None if found is None or _wrong(instant, found) else found
 
 
 def _unchanged(instant: HardInstant, start: Way, found: Found) -> Way:
-    """The way found, but for changes that nothing shows: what neither parts nor slips acts as it did."""
+    """Return the way found, but for changes that nothing shows: what neither parts nor slips acts as it did."""
     small, way = _little(instant, found), found.way
     rates = [float(row @ found.x) - target for row, target in zip(instant.rows, instant.targets, strict=True)]
     rows = [acts or (was and abs(rate) <= small) for acts, was, rate in zip(way.rows, start.rows, rates, strict=True)]
@@ -52,12 +52,12 @@ def _unchanged(instant: HardInstant, start: Way, found: Found) -> Way:
 
 
 def _little(instant: HardInstant, found: Found) -> float:
-    """The acceleration, or velocity, that is none."""
+    """Return the acceleration, or velocity, that is none."""
     return SMALL * max(float(np.abs(found.x).max(initial=0.0)), float(np.abs(instant.targets).max(initial=0.0)), 1.0)
 
 
 def _mended(instant: HardInstant, way: Way) -> Found | None:
-    """The way that comes of changing what does not hold until all does; None if that goes in circles."""
+    """Return the way that comes of changing what does not hold until all does; None if that goes in circles."""
     tried: set[Way] = set()
     while len(tried) < MENDS:
         found = solved(instant, way)
@@ -75,7 +75,7 @@ def _mended(instant: HardInstant, way: Way) -> Found | None:
 
 
 def _ways(instant: HardInstant, guess: Way) -> Iterator[Way]:
-    """All ways, those that change least first."""
+    """Yield all ways, those that change least first."""
     free = [
         number
         for number, ok in enumerate(instant.allowed)
@@ -95,7 +95,7 @@ def _ways(instant: HardInstant, guess: Way) -> Iterator[Way]:
 
 
 def replace_rows(instant: HardInstant, guess: Way) -> Way:
-    """A guess with what may not act left out, what is held acting, and faces that slip already slipping."""
+    """Return a guess with what may not act left out, what is held acting, and faces that slip already slipping."""
     rows = tuple(
         (acts or both) and ok for acts, both, ok in zip(guess.rows, instant.both, instant.allowed, strict=True)
     )
@@ -118,12 +118,12 @@ def _linked(instant: HardInstant, way: Way) -> Way:
 
 
 def replace_tuple(way: Way, rows: tuple[bool, ...]) -> Way:
-    """A way with other rows."""
+    """Return a way with other rows."""
     return way._replace(rows=rows)
 
 
 def _wrong(instant: HardInstant, found: Found) -> tuple[Change, ...]:
-    """What should be otherwise: what pulls and can only push, what gives way and would hold."""
+    """Return what should be otherwise: what pulls and can only push, what gives way and would hold."""
     way = found.way
     force = SMALL * max(float(np.abs(instant.loads).max(initial=0.0)), 1e-3)
     small = _little(instant, found)
@@ -145,7 +145,7 @@ def _wrong(instant: HardInstant, found: Found) -> tuple[Change, ...]:
 
 
 def _rubs_wrong(instant: HardInstant, found: Found, i: int, force: float, small: float) -> list[Change]:
-    """How a rough face should rub instead, if it should."""
+    """Return how a rough face should rub instead, if it should."""
     if instant.friction[i] >= NEVER:
         return []
     side, held = found.way.rubbing[i], float(found.friction[i])
@@ -157,5 +157,5 @@ def _rubs_wrong(instant: HardInstant, found: Found, i: int, force: float, small:
 
 
 def everything(rows: int, faces: int) -> Way:
-    """The way in which all acts and sticks."""
+    """Return the way in which all acts and sticks."""
     return Way((True,) * rows, (True,) * faces, (0,) * faces)

@@ -95,7 +95,7 @@ def through(knots: Sequence[Knot], times: Array) -> Array:
 
 
 def _beside(knots: Sequence[Knot], place: int) -> Sequence[Knot]:
-    """Both ends of a step, and two knots more where steps of about its size lie beside it."""
+    """Return both ends of a step, and two knots more where steps of about its size lie beside it."""
     first, last = place, min(place + 1, len(knots) - 1)
     span = knots[last].time - knots[first].time
     for _ in range(2):
@@ -113,7 +113,7 @@ def _is_alike(step: float, span: float) -> bool:
 
 
 def _powers(x: Array, powers: Array) -> tuple[Array, Array, Array]:
-    """All powers of numbers, and their first and second derivatives, (numbers, powers) each."""
+    """Return all powers of numbers, and their first and second derivatives, (numbers, powers) each."""
     column = x[:, None]
     place = column**powers
     rate = powers * column ** np.maximum(powers - 1.0, 0.0)
@@ -132,7 +132,7 @@ class HardRecord:
         self._ways = [model.ways.get(run) for run in self.runs]
 
     def _runs(self) -> list[tuple[str, str]]:
-        """The straight pieces of lines whose ends may come together."""
+        """Return the straight pieces of lines whose ends may come together."""
         found: dict[tuple[str, str], None] = {}
         for line in self._model.mechanism.lines:
             if not isinstance(line.law, Rigid):
@@ -151,7 +151,7 @@ class HardRecord:
         return float(np.linalg.norm(apart) - TOGETHER if way is None else apart @ np.array(way) - MEET)
 
     def run_rate(self, number: int) -> float:
-        """How fast the ends of a piece part, m/s, in the state at which the model stands."""
+        """Return how fast the ends of a piece part, m/s, in the state at which the model stands."""
         first, last = (self._model.site(name) for name in self.runs[number])
         apart, parting = last.place - first.place, last.velocity - first.velocity
         way, far = self._ways[number], float(np.linalg.norm(apart))
@@ -173,7 +173,7 @@ class HardRecord:
         self.stretches[-1].knots.append(knot)
 
     def state(self, times: Array) -> State:
-        """The motion at `times`, s; forces are found anew there. After the end the last knot stays."""
+        """Return the motion at `times`, s; forces are found anew there. After the end the last knot stays."""
         model, mechanism = self._model, self._model.mechanism
         lines = [line.name for line in mechanism.constraints]
         n, m = model.size, len(times)
@@ -213,7 +213,7 @@ class HardRecord:
                         yield stretch, values
 
     def forces(self, way: Way) -> Found:
-        """The forces of one way at the state at which the model stands; SimulationError if they don't exist."""
+        """Return the forces of one way at the state at which the model stands; SimulationError if they don't exist."""
         rows = self._model.rows()
         found = solved(at_present(self._model, rows, way.rubbing, (True,) * len(rows)), way)
         if found is None:
@@ -222,7 +222,7 @@ class HardRecord:
 
 
 def at_present(model: HardModel, rows: list[Row], sliding: tuple[int, ...], allowed: tuple[bool, ...]) -> HardInstant:
-    """The numbers of the state at which a model stands."""
+    """Return the numbers of the state at which a model stands."""
     return HardInstant(
         model.inertia().copy(),
         model.loads(),

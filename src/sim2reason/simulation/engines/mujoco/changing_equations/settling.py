@@ -59,7 +59,7 @@ class HardSettling:
         self.cut = ""
 
     def settle(self) -> Found:
-        """What acts now; notes what changed, and what ends the motion."""
+        """Return what acts now; notes what changed, and what ends the motion."""
         rows = self.model.rows()
         sliding = self._sliding()
         allowed = tuple(self._may_act(i, row) for i, row in enumerate(rows))
@@ -79,7 +79,7 @@ class HardSettling:
         return found
 
     def _guess(self, rows: list[Row], sliding: tuple[int, ...]) -> Way:
-        """What acted acts on; what does not slip now sticks."""
+        """Return a first guess of the mode: rows keep acting, and contacts that do not slip stick."""
         faces = len(self.mechanism.faces)
         if self.way is None:
             return everything(len(rows), faces)
@@ -90,7 +90,7 @@ class HardSettling:
         return Way(tuple(acting), self.way.faces, sliding)
 
     def _sliding(self) -> tuple[int, ...]:
-        """The sides to which faces slip; one at the border of friction begins to slip to its side."""
+        """Return the sides to which faces slip; one at the border of friction begins to slip to its side."""
         speeds = self.model.slips @ self.v
         sides = [int(np.sign(speed)) if abs(speed) > STILL else 0 for speed in speeds]
         for due in self.due:
@@ -208,7 +208,7 @@ class HardSettling:
             self.record.add(Knot(self.now, np.concatenate([self.q, self.v]), np.concatenate([self.v, 0.0 * self.v])))
 
     def _struck(self, rows: list[Row], acts: list[bool], touching: list[int]) -> tuple[HardInstant, list[Row]]:
-        """The problem of an impact, and its rows, those of the pairs that touch last."""
+        """Return the problem of an impact, and its rows, those of the pairs that touch last."""
         hits: list[Row] = []
         for number in touching:
             meeting = self.mechanism.meetings[number]

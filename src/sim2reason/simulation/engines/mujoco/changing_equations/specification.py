@@ -35,7 +35,7 @@ class HardSpecification:
             self.sites[site.name] = carrier.add_site(name=f"s{len(self.sites)}", pos=site.at)
 
     def compile(self) -> tuple[Any, Any]:
-        """The library's model and data; SimulationError for what it refuses."""
+        """Return the library's model and data; SimulationError for what it refuses."""
         try:
             model = self.spec.compile()
         except ValueError as error:

@@ -60,7 +60,7 @@ FAINT = 1e-9  # of the largest weight: a law that takes no part
 def needed(
     rows: Sequence[Row], unknowns: Sequence[str], values: Mapping[str, float], goals: Sequence[str]
 ) -> list[Row]:
-    """The rows that determine the goals, in order; UnsolvedError if all together do not.
+    """Return the rows that determine the goals, in order; UnsolvedError if all together do not.
 
     The weights with which laws add up to a goal are unique where the laws are independent: those of weight 0 are idle.
     Where they are not (two frictions of which only the sum is fixed), laws are left out one by one.

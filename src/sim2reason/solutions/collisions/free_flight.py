@@ -69,7 +69,7 @@ def _top(flights: Impacts, body: str, k: int) -> Expression | None:
 
 @dataclass(frozen=True, slots=True)
 class StruckBodies:
-    """One collision."""
+    """A collision as a term of a sum over a motion: its energy loss, its impulses and its bodies."""
 
     flights: Flights
     impact: Impact

@@ -191,7 +191,7 @@ Seen = Callable[[Array], tuple[Array, Array]]
 
 
 def swept(swing: SwingAngle, seen: Seen) -> Expression:
-    """The sum of all angles; what is `seen` decides signs and numbers of turns alone."""
+    """Return the sum of all angles; what is `seen` decides signs and numbers of turns alone."""
     end = swing.setting.time
     count = SAMPLES * max(1, ceil(end * swing.book.value(swing.natural) / (2.0 * pi)))
     angles, rates = seen(np.linspace(0.0, end, count + 1))
@@ -232,7 +232,7 @@ def _tell_way(swing: SwingAngle, turns: int, way: float) -> None:
 
 
 def _round(swing: SwingAngle, end: float) -> Expression:
-    """What goes round never turns back; straight up or down it is after whole half turns."""
+    """Return the angle of a swing that goes right round: whole half turns where it ends straight up or down."""
     halves = round(end / pi)
     there = swing.angle
     if there == ZERO or isinstance(there, Number):
@@ -242,7 +242,7 @@ def _round(swing: SwingAngle, end: float) -> Expression:
 
 
 def _place(held: Expression) -> Polynomial:
-    """An angle with its sign, as a term."""
+    """Return an angle with its sign, as a term."""
     if held == ZERO:
         return Polynomial({})
     negative = held.latex().startswith("-")
