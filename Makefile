@@ -55,8 +55,8 @@ test-ray: .venv-ray/done ## the tests that need Ray, on a local cluster, in an e
 	@touch $@
 
 test-train: .venv-train/done ## the tests that train models, on CPUs, and TRL's example, in an environment of their own
-	.venv-train/bin/python -m pytest --numprocesses auto --dist worksteal tests/training tests/policies \
-		tests/cli/test_train.py tests/exports/libraries/test_trl.py
+	.venv-train/bin/python -m pytest --numprocesses auto --dist worksteal tests/training tests/evaluation/policies \
+		tests/cli/test_train.py tests/datasets/exports/libraries/test_trl.py
 	.venv-train/bin/python tests/support/readme.py docs/training.md
 
 .venv-vllm/done: .venv/pip requirements/vllm.txt pyproject.toml
@@ -70,7 +70,7 @@ test-vllm: .venv-vllm/done ## rollouts by vLLM, and evaluation against its serve
 
 # Each library that exports are for has an environment of its own in .exports, 0.6 to 2 GB large. For one of them alone:
 # make test-exports-verl. NeMo Gym needs a newer Python than others; without one it is left out, and says so.
-LIBRARIES := $(patsubst tests/exports/requirements/%.txt,%,$(wildcard tests/exports/requirements/*.txt))
+LIBRARIES := $(patsubst tests/datasets/exports/requirements/%.txt,%,$(wildcard tests/datasets/exports/requirements/*.txt))
 NEWER := $(shell for p in $(PYTHON) python3.12 python3.13 python3.14 $(wildcard $(HOME)/.pyenv/versions/3.1[2-9].*/bin/python); do \
 	$$p -c 'import sys; sys.exit(sys.version_info < (3, 12))' 2>/dev/null && echo $$p && break; done)
 NEED_NEWER := nemo_gym
@@ -85,9 +85,9 @@ $(NEED_NEWER:%=test-exports-%): test-exports-%: $(if $(NEWER),.exports/%.made .e
 	$(if $(NEWER),$(TEST_EXPORTS),@echo "make: $* needs Python 3.12 or newer, and there is none: left out")
 
 TEST_EXPORTS = SIM2REASON_PROBLEMS=$(abspath .exports/problems) .exports/$*/bin/python -m pytest -W ignore \
-	tests/exports/libraries/test_$*.py
+	tests/datasets/exports/libraries/test_$*.py
 
-.exports/%.made: tests/exports/requirements/%.txt
+.exports/%.made: tests/datasets/exports/requirements/%.txt
 	rm -rf .exports/$*
 	$(if $(filter $*,$(NEED_NEWER)),$(NEWER),$(PYTHON)) -m venv .exports/$*
 	.exports/$*/bin/python -m pip install --quiet --requirement $<

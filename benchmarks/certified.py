@@ -12,9 +12,10 @@ from dataclasses import dataclass
 from statistics import median
 from typing import NamedTuple
 
-from sim2reason.datasets.random_scenes import sample
 from sim2reason.errors import SimulationError, UnsupportedError
-from sim2reason.recipes import DIFFICULTIES, RECIPES
+from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.recipes import RECIPES
+from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.simulation.certify import CHANGES, RECORDED
 from sim2reason.simulation.scenes import certify, simulate
 

@@ -15,10 +15,10 @@ from collections.abc import Sequence
 from statistics import median
 
 from sim2reason.datasets.grade import grade
-from sim2reason.datasets.item import Item
-from sim2reason.datasets.make import make
 from sim2reason.datasets.plan import Config
-from sim2reason.recipes import all_recipes
+from sim2reason.generation.item import Item
+from sim2reason.generation.make import make
+from sim2reason.generation.recipes import all_recipes
 
 NUMBER = re.compile(r"(?<![\w.])[−-]?\d+(?:\.\d+)?")
 CONSTANT, NEGATIVE, REPEATED = 0.03, 0.0, 0.02  # what each may earn at most

@@ -13,12 +13,13 @@ from itertools import pairwise, product
 from statistics import mean
 
 from sim2reason.datasets.dataset import Dataset
-from sim2reason.datasets.item import Item
-from sim2reason.datasets.make import make
-from sim2reason.datasets.request import Request
+from sim2reason.generation.item import Item
+from sim2reason.generation.make import make
+from sim2reason.generation.recipes import RECIPES
+from sim2reason.generation.request import Request
 from sim2reason.questions import MODES
+from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.questions.need import ELEMENTARY, NEEDS
-from sim2reason.recipes import DIFFICULTIES, RECIPES
 
 MOST = 0.1  # of the items of a mode may need more than elementary means
 

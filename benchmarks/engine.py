@@ -14,8 +14,8 @@ from time import process_time
 import numpy as np
 from against import PHASE, fixed_loop, medians, parser, script_against
 
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.mechanism import Mechanism, X, Y, Z
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.mechanism import Mechanism, X, Y, Z
 from sim2reason.simulation.engines.exact import motion
 
 Rng = np.random.Generator

@@ -25,13 +25,14 @@ from time import process_time
 
 from against import PHASE, ROOT, Figures, checked_out, compare, fixed_loop, medians, parser, told
 
-from sim2reason.datasets.make import make
-from sim2reason.datasets.random_scenes import sample
-from sim2reason.datasets.request import Request
 from sim2reason.datasets.worker import collect_seldom
-from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SimulationError, UnsupportedError
-from sim2reason.recipes import DIFFICULTIES, RECIPES
+from sim2reason.generation.make import make
+from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.recipes import RECIPES
+from sim2reason.generation.request import Request
+from sim2reason.questions.difficulty import DIFFICULTIES
+from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.scenes import simulate
 
 SEED = 5
@@ -41,9 +42,9 @@ SUBREAPER = 36  # PR_SET_CHILD_SUBREAPER
 CELLS = [(recipe, difficulty) for recipe in RECIPES for difficulty in DIFFICULTIES]
 FIRST = "import sim2reason; sim2reason.item(recipe='hybrid', difficulty='hard', mode='numeric', seed=1, index=0)"
 NAMES = """
-from sim2reason.filters import FILTERS
+from sim2reason.generation.filters import FILTERS
 from sim2reason.questions import KINDS
-from sim2reason.recipes import RECIPES
+from sim2reason.generation.recipes import RECIPES
 for names in (RECIPES, KINDS, FILTERS):
     print(",".join(names))
 """
@@ -53,10 +54,10 @@ import json, sys
 from time import process_time
 sys.path.insert(0, {str(Path(__file__).parent)!r})
 from against import PHASE, fixed_loop
-from sim2reason import filters
+from sim2reason.generation import filters
 from sim2reason.datasets import worker
-from sim2reason.datasets.make import make
-from sim2reason.datasets.request import Request
+from sim2reason.generation.make import make
+from sim2reason.generation.request import Request
 count, mode, recipes = int(sys.argv[1]), sys.argv[2], sys.argv[3].split(",")
 kinds, refusing = (set(names.split(",")) - {{""}} for names in sys.argv[4:6])
 if refusing:

@@ -14,15 +14,15 @@ from itertools import pairwise
 
 import numpy as np
 
-from sim2reason.datasets.make import make
 from sim2reason.datasets.plan import Config
 from sim2reason.errors import Sim2ReasonError, TextError
+from sim2reason.generation.make import make
+from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import KINDS, Study, Words
 from sim2reason.questions.given import StatedResult
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.questions.parse_prompt import ParsedPrompt, parse_prompt
 from sim2reason.questions.unknown import range_of
-from sim2reason.recipes import RECIPES
 
 VALUES = 300  # of the unknown, at most this far apart
 INSTANTS = 4000  # of a motion, if the unknown is a time

@@ -11,12 +11,12 @@ from collections import Counter
 
 import numpy as np
 
-from sim2reason.datasets.make import make
 from sim2reason.datasets.plan import Config
 from sim2reason.errors import Sim2ReasonError
+from sim2reason.generation.make import make
+from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import MODES
 from sim2reason.questions.parse_prompt import parse_prompt
-from sim2reason.recipes import RECIPES
 
 TOLERANCE = 0.01
 

@@ -15,8 +15,8 @@ from pathlib import Path
 from tempfile import gettempdir
 
 from sim2reason import Dataset, generate
-from sim2reason.datasets.item import Item
-from sim2reason.datasets.splits import problem, without_numbers
+from sim2reason.generation.item import Item
+from sim2reason.generation.splits import problem, without_numbers
 
 SPLIT = {"train": 0.8, "validation": 0.1, "test": 0.1}
 COMPARED = {

@@ -19,13 +19,14 @@ import numpy as np
 import sympy
 
 from sim2reason.datasets.grade import grade
-from sim2reason.datasets.item import FormulaRecord, Item
-from sim2reason.datasets.make import make
-from sim2reason.datasets.request import Request
 from sim2reason.errors import TextError
-from sim2reason.prose.formula_numbers import said_in
+from sim2reason.generation.item import FormulaRecord, Item
+from sim2reason.generation.make import make
+from sim2reason.generation.recipes import RECIPES
+from sim2reason.generation.request import Request
+from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.questions.parse_prompt import parse_prompt
-from sim2reason.recipes import DIFFICULTIES, RECIPES
+from sim2reason.text.prose.formula_numbers import said_in
 
 MUTANTS, FRESH = 20, 2
 WIDTH = 0.05  # of the numbers that are put in when a prompt is read back

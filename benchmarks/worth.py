@@ -14,20 +14,20 @@ from collections import Counter
 import numpy as np
 from wrong_ideas import wrong_ideas
 
-from sim2reason.datasets.item import Item
-from sim2reason.datasets.make import make
 from sim2reason.datasets.plan import Config
 from sim2reason.errors import TextError
-from sim2reason.filters import FILTERS, Candidate
-from sim2reason.filters.parts.effects import effects
-from sim2reason.filters.parts.numbers import elasticities, givens, matters
-from sim2reason.prose.description import describe
+from sim2reason.generation.filters import FILTERS, Candidate
+from sim2reason.generation.filters.parts.effects import effects
+from sim2reason.generation.filters.parts.numbers import elasticities, givens, matters
+from sim2reason.generation.item import Item
+from sim2reason.generation.make import make
+from sim2reason.generation.recipes import RECIPES, difficulty_named
 from sim2reason.questions import MODES, Question
 from sim2reason.questions.constancy import ENDINGS
 from sim2reason.questions.dependence import Dependence
 from sim2reason.questions.moments.times import AtStart
 from sim2reason.questions.parse_prompt import parse_prompt
-from sim2reason.recipes import RECIPES, difficulty_named
+from sim2reason.text.prose.description import describe
 
 HIDDEN = np.random.default_rng(1)
 SAME = 1e-3  # relative: an answer that a wrong idea changes by less does not hang on it

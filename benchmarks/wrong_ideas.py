@@ -8,10 +8,10 @@ from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass, replace
 from math import isfinite
 
-from sim2reason.dsl.frames import start
-from sim2reason.dsl.mechanism import NO_INERTIA, ZERO, Elastic, Mechanism, RigidBody
 from sim2reason.errors import SceneError
 from sim2reason.questions import Study
+from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.mechanism import NO_INERTIA, ZERO, Elastic, Mechanism, RigidBody
 
 Change = Callable[[Mechanism], Mechanism]
 TINY = 1e-4  # of a length or an inertia: what is left of one that is forgotten

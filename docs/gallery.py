@@ -6,13 +6,14 @@ import warnings
 from collections.abc import Iterator
 from pathlib import Path
 
-from sim2reason.datasets.item_search import ItemSearch
-from sim2reason.datasets.make import item_of
-from sim2reason.datasets.request import Request
 from sim2reason.errors import FigureWarning
 from sim2reason.figures import canvas
 from sim2reason.figures.drawing import drawing
-from sim2reason.recipes import DIFFICULTIES, RECIPES
+from sim2reason.generation.item_search import ItemSearch
+from sim2reason.generation.make import item_of
+from sim2reason.generation.recipes import RECIPES
+from sim2reason.generation.request import Request
+from sim2reason.questions.difficulty import DIFFICULTIES
 
 PAGE, FIGURES = "gallery.md", "gallery"
 SEED, LAST = 2026, 4

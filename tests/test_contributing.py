@@ -13,8 +13,8 @@ TRY = """
 from math import cos, radians, sin
 
 import sim2reason
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.certify import RECORDED
 
 for friction, mass in ((0.0, 0.0), (0.2, 0.6)):

@@ -13,8 +13,9 @@ from types import FunctionType, ModuleType
 import pytest
 
 import sim2reason
-from sim2reason import authoring, registry
-from sim2reason.dsl.entity import ENTITIES
+from sim2reason import authoring
+from sim2reason.base import registry
+from sim2reason.scenes.dsl.entity import ENTITIES
 
 FURTHER = {
     "sim2reason.rewards": ["accuracy"],

@@ -8,11 +8,11 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from sim2reason.benchmarks import BENCHMARKS
-from sim2reason.benchmarks.runs.config import evaluation_from
+from sim2reason.base.settings import settings_in
 from sim2reason.cli import main
-from sim2reason.policies import policy_from
-from sim2reason.policies.parts.settings import settings_in
+from sim2reason.evaluation.benchmarks import BENCHMARKS
+from sim2reason.evaluation.benchmarks.runs.config import evaluation_from
+from sim2reason.evaluation.policies import policy_from
 from sim2reason.training.rl.config import reinforcement_learning_from
 from sim2reason.training.sft.config import fine_tuning_from
 from sim2reason.training.study.config import study_from

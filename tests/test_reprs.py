@@ -6,7 +6,7 @@ import pytest
 
 import sim2reason
 from sim2reason.authoring import Frame
-from sim2reason.dsl.builder import Builder
+from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.testing import conformance
 
 LONGEST = 220  # characters of a repr

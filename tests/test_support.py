@@ -7,8 +7,8 @@ import pytest
 import fake_makers
 import readme
 import shared_items
-from sim2reason.datasets.plan import Made
-from sim2reason.datasets.request import Request
+from sim2reason.generation.made import Made
+from sim2reason.generation.request import Request
 
 TEXT = """
 # A project

@@ -6,7 +6,7 @@ from types import ModuleType
 
 import pytest
 
-from sim2reason.datasets.item import Binding, FormulaRecord
+from sim2reason.generation.item import Binding, FormulaRecord
 
 FILE = Path(__file__).parent.parent / "benchmarks" / "symbolic.py"
 

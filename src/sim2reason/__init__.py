@@ -17,34 +17,34 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     __version__: str
+    from sim2reason.base.registries import members
     from sim2reason.datasets.ask import ask
     from sim2reason.datasets.dataset import Dataset
     from sim2reason.datasets.explain import explain
+    from sim2reason.datasets.exports.parts.export import export
+    from sim2reason.datasets.exports.parts.fresh import iterable
     from sim2reason.datasets.generate import generate
     from sim2reason.datasets.grade import grade
-    from sim2reason.datasets.item import Item
     from sim2reason.datasets.items import item, sample, stream
     from sim2reason.datasets.show import show
     from sim2reason.datasets.solve import solve
     from sim2reason.datasets.stats import stats
     from sim2reason.datasets.verify import verify
-    from sim2reason.dsl.mechanism import Mechanism
-    from sim2reason.dsl.scene import Scene
     from sim2reason.errors import Sim2ReasonError
-    from sim2reason.exports.parts.export import export
-    from sim2reason.exports.parts.fresh import iterable
+    from sim2reason.evaluation.reports.evaluation import evaluate
     from sim2reason.figures.scenes import figure, plot
+    from sim2reason.generation.item import Item
     from sim2reason.grading import Score
-    from sim2reason.parsing import parse_scene
-    from sim2reason.prose import describe
     from sim2reason.questions.parse_prompt import parse_prompt
-    from sim2reason.registries import members
-    from sim2reason.reports.evaluation import evaluate
-    from sim2reason.scene_files import dump, load
-    from sim2reason.scene_files.schema import schema
+    from sim2reason.scenes.dsl.mechanism import Mechanism
+    from sim2reason.scenes.dsl.scene import Scene
+    from sim2reason.scenes.files import dump, load
+    from sim2reason.scenes.files.schema import schema
     from sim2reason.simulation.certify import Certificate
     from sim2reason.simulation.scenes import certify, simulate
     from sim2reason.simulation.trace import Trace
+    from sim2reason.text.parsing import parse_scene
+    from sim2reason.text.prose import describe
     from sim2reason.training.sample_solutions import sample_solutions
     from sim2reason.training.train import train
 
@@ -55,33 +55,33 @@ if TYPE_CHECKING:
 _HOMES = {
     "Certificate": "simulation.certify",
     "Dataset": "datasets.dataset",
-    "Item": "datasets.item",
-    "Mechanism": "dsl.mechanism",
-    "Scene": "dsl.scene",
+    "Item": "generation.item",
+    "Mechanism": "scenes.dsl.mechanism",
+    "Scene": "scenes.dsl.scene",
     "Score": "grading",
     "Sim2ReasonError": "errors",
     "Trace": "simulation.trace",
     "ask": "datasets.ask",
     "certify": "simulation.scenes",
-    "describe": "prose",
-    "dump": "scene_files",
-    "eval": "reports.evaluation:evaluate",
-    "export": "exports.parts.export",
+    "describe": "text.prose",
+    "dump": "scenes.files",
+    "eval": "evaluation.reports.evaluation:evaluate",
+    "export": "datasets.exports.parts.export",
     "explain": "datasets.explain",
     "figure": "figures.scenes",
     "generate": "datasets.generate",
     "grade": "datasets.grade",
     "item": "datasets.items",
-    "iterable": "exports.parts.fresh",
-    "list": "registries:members",
-    "load": "scene_files",
+    "iterable": "datasets.exports.parts.fresh",
+    "list": "base.registries:members",
+    "load": "scenes.files",
     "open": "datasets.dataset:Dataset",
     "parse_prompt": "questions.parse_prompt",
-    "parse_scene": "parsing",
+    "parse_scene": "text.parsing",
     "plot": "figures.scenes",
     "sample": "datasets.items",
     "sample_solutions": "training.sample_solutions",
-    "schema": "scene_files.schema",
+    "schema": "scenes.files.schema",
     "show": "datasets.show",
     "simulate": "simulation.scenes",
     "solve": "datasets.solve",

@@ -5,7 +5,6 @@ letter of a multiple choice. The functions here read it, and are pure: any threa
 is always a worked one, which no reward reads.
 """
 
-import json
 from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache
 from typing import cast
@@ -13,12 +12,12 @@ from warnings import warn
 
 from pydantic import TypeAdapter, ValidationError
 
-from sim2reason.datasets.grade import grade_answer
-from sim2reason.datasets.item import Answer, Item, Record
+from sim2reason.datasets.ground_truth import Letter, answered, boxed, ground_truth
 from sim2reason.datasets.rows import answer_of
 from sim2reason.errors import DatasetError
+from sim2reason.generation.grade_answer import grade_answer
+from sim2reason.generation.item import Answer
 from sim2reason.grading import Score, choice, opened
-from sim2reason.grading.parts import LABELS
 
 __all__ = [
     "Letter",
@@ -32,46 +31,10 @@ __all__ = [
     "score",
 ]
 
-EXTRA = "parts", "letter", "options", "texts"  # of an answer, which most do not have
 SHOWN = 80  # characters of a text that is no ground truth
 
 
-class Letter(Record):
-    """The answer to a multiple choice: the right letter, and all that there are."""
-
-    letter: str
-    letters: str
-
-
 _GROUND_TRUTH: TypeAdapter[Answer | Letter] = TypeAdapter(Answer | Letter)
-
-
-def ground_truth(right: Item | Answer | Letter) -> str:
-    """Return the right answer, with all that a grader must know, as one line of JSON."""
-    held = right.answer if isinstance(right, Item) else right
-    given = held.model_dump(mode="json", exclude_none=True)
-    return json.dumps({name: value for name, value in given.items() if name not in EXTRA or value}, ensure_ascii=False)
-
-
-def answered(right: Item) -> str:
-    """Return the right answer as somebody would write it: the formula, or the number to six digits in the asked unit.
-
-    Of a problem with several parts, all answers with their labels; of one with options, the letter.
-    """
-    return _written(right.answer)
-
-
-def _written(answer: Answer) -> str:
-    if answer.letter:
-        return answer.letter
-    if answer.parts:
-        return "; ".join(f"({label}) {_written(part)}" for label, part in zip(LABELS, answer.parts, strict=False))
-    return answer.formula.latex if answer.formula is not None else f"{answer.value:.6g}"
-
-
-def boxed(answer: str) -> str:
-    """Return an answer as the grader looks for it: in a box, unless there is one in it already."""
-    return answer if r"\boxed" in answer else rf"\boxed{{{answer}}}"
 
 
 def score(ground_truth: str, response: object, *, partial: bool = False, thinking_opened: bool = False) -> Score:

@@ -9,8 +9,8 @@ import pytest
 
 from balances import Moment, account, spans
 from curved_mechanisms import FAMILIES
-from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.errors import Sim2ReasonError
+from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.engines.exact import Motion, motion
 
 CLOSE = 1e-8

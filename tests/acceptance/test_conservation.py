@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 from cells import drawn
-from sim2reason.dsl.mechanism import Elastic, Mechanism, X, Y
-from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.vectors import Vector
-from sim2reason.quantities import QUANTITIES
-from sim2reason.recipes import DIFFICULTIES, Difficulty
+from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty
+from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism, X, Y
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.vectors import Vector
+from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.scenes import simulate
 from sim2reason.simulation.trace import Trace
 

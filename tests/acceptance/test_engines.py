@@ -3,7 +3,7 @@
 import pytest
 
 from cells import CELLS, drawn
-from sim2reason.recipes import Difficulty
+from sim2reason.questions.difficulty import Difficulty
 from sim2reason.simulation.certify import CHANGES, EVENTFUL, SMOOTH, witnessed
 from sim2reason.simulation.scenes import simulate
 

@@ -10,7 +10,7 @@ import pytest
 from cells import CELLS
 from english import LETTER, NUMBER, STRING, VERB, Prose, digits, introduced, shape
 from shared_items import SharedItems
-from sim2reason.datasets.item import Item
+from sim2reason.generation.item import Item
 
 ITEMS, MORE = 6, 30  # of each cell, and of those whose sentences are counted: 558 in all
 CEILING = {"easy": 250, "medium": 250, "hard": 400}

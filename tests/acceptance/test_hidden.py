@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from cells import asked
-from sim2reason.dsl.scene import Scene
 from sim2reason.questions import KINDS, Study
-from sim2reason.recipes import DIFFICULTIES, Difficulty
+from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty
+from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.scenes import simulate
 
 ITEMS = 12  # of each cell: 108 in all

@@ -9,10 +9,10 @@ import pytest
 
 from joined_entities import Followed, close
 from places_of_rest import equilibria
-from sim2reason.dsl.scene import Scene
-from sim2reason.parsing import parse_scene
-from sim2reason.prose import describe
-from sim2reason.scene_files import dump, load
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.files import dump, load
+from sim2reason.text.parsing import parse_scene
+from sim2reason.text.prose import describe
 
 FILES = sorted((Path(__file__).parents[2] / "examples" / "olympiad").glob("*.yaml"))
 TEXTS = {path.stem: path.read_text() for path in FILES}

@@ -7,10 +7,11 @@ from importlib import import_module
 import pytest
 
 from cells import drawn
-from sim2reason.dsl.entity import Entity
-from sim2reason.dsl.model import Model, field_types
-from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty
-from sim2reason.recipes.parts.grow import Tier
+from sim2reason.generation.recipes import RECIPES
+from sim2reason.generation.recipes.parts.grow import Tier
+from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty
+from sim2reason.scenes.dsl.entity import Entity
+from sim2reason.scenes.dsl.model import Model, field_types
 
 SCENES = 70  # of each difficulty: some 200 of a recipe
 
@@ -110,7 +111,7 @@ def test_nothing_that_is_declared_stays_constant(recipe: str) -> None:
 GROWN = [
     (name, difficulty, tier)
     for name in sorted(RECIPES)
-    for difficulty, tier in getattr(import_module(f"sim2reason.recipes.{name}"), "TIERS", {}).items()
+    for difficulty, tier in getattr(import_module(f"sim2reason.generation.recipes.{name}"), "TIERS", {}).items()
     if isinstance(tier, Tier)
 ]
 

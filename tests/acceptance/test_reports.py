@@ -13,7 +13,7 @@ from plain_scenes import ramp
 from sim2reason.cli import main
 
 ROOT = Path(__file__).parent.parent.parent
-PAGES = [*ROOT.glob("docs/integrations/*.md"), *ROOT.glob("src/sim2reason/exports/files/*/*.md")]
+PAGES = [*ROOT.glob("docs/integrations/*.md"), *ROOT.glob("src/sim2reason/datasets/exports/files/*/*.md")]
 SCRIPT = """
 import sys
 import sim2reason

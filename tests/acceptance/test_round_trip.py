@@ -4,12 +4,13 @@ import numpy as np
 import pytest
 
 from shared_items import SharedItems
-from sim2reason.datasets.random_scenes import sample
 from sim2reason.errors import TextError
-from sim2reason.prose import describe
+from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.recipes import RECIPES
+from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import FORMATS
-from sim2reason.recipes import DIFFICULTIES, RECIPES
+from sim2reason.text.prose import describe
 
 ITEMS = 6  # of each recipe and difficulty; benchmarks/round_trip.py takes 500 in all
 

@@ -13,10 +13,11 @@ from pathlib import Path
 
 import pytest
 
-from sim2reason.datasets.make import make
-from sim2reason.datasets.request import Request
+from sim2reason.generation.make import make
+from sim2reason.generation.recipes import RECIPES
+from sim2reason.generation.request import Request
 from sim2reason.questions import MODES
-from sim2reason.recipes import DIFFICULTIES, RECIPES
+from sim2reason.questions.difficulty import DIFFICULTIES
 
 DIGESTS = Path(__file__).parents[1] / "data" / "same_items.json"
 SEED = 3232

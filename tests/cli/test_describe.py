@@ -9,9 +9,9 @@ from click.testing import CliRunner, Result
 
 from scene_files import drawn
 from sim2reason.cli import main
-from sim2reason.prose.description import describe as describe_scene
-from sim2reason.prose.voices import hiding, symbolic
-from sim2reason.scene_files import dump, load
+from sim2reason.scenes.files import dump, load
+from sim2reason.text.prose.description import describe as describe_scene
+from sim2reason.text.prose.voices import hiding, symbolic
 
 RAMP = """\
 scene:
@@ -101,8 +101,8 @@ def test_a_pipe_of_real_processes(ramp: Path) -> None:
 def test_the_schema_is_written(tmp_path: Path) -> None:
     import json
 
-    from sim2reason.scene_files.page import format_page
-    from sim2reason.scene_files.schema import schema
+    from sim2reason.scenes.files.page import format_page
+    from sim2reason.scenes.files.schema import schema
 
     printed = CliRunner().invoke(main, ["schema"]).stdout
     assert json.loads(printed) == schema()

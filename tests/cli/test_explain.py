@@ -8,7 +8,7 @@ from click.testing import CliRunner, Result
 from sim2reason.cli import main
 from sim2reason.datasets.build import build
 from sim2reason.datasets.plan import Config
-from sim2reason.filters import FILTERS
+from sim2reason.generation.filters import FILTERS
 
 
 def call(*args: object) -> Result:
@@ -69,7 +69,7 @@ def test_an_unknown_problem_is_one_line(data: Path) -> None:
 
 
 def test_a_problem_of_another_version_is_said_to_be_one(data: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("sim2reason.datasets.item_search.ItemSearch.found", lambda _: None)
+    monkeypatch.setattr("sim2reason.generation.item_search.ItemSearch.found", lambda _: None)
     told = call("explain", data, "--id", "incline-easy-numeric-0-0")
     assert told.exit_code == 2
     assert "another problem" in told.output

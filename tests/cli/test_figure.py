@@ -4,16 +4,16 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from sim2reason.bodies.pendulums import Ball, LightRod
 from sim2reason.cli import main
 from sim2reason.datasets.items import item
-from sim2reason.datasets.random_scenes import sample
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.pendulums import Pendulum
-from sim2reason.prose.description import describe
-from sim2reason.recipes import Difficulty
-from sim2reason.scene_files import dump
+from sim2reason.generation.random_scenes import sample
+from sim2reason.questions.difficulty import Difficulty
+from sim2reason.scenes.bodies.pendulums import Ball, LightRod
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.pendulums import Pendulum
+from sim2reason.scenes.files import dump
+from sim2reason.text.prose.description import describe
 
 
 @pytest.fixture

@@ -10,7 +10,7 @@ from click.testing import CliRunner, Result
 
 import sim2reason
 from sim2reason.cli import main
-from sim2reason.scene_files import dump, wording_of
+from sim2reason.scenes.files import dump, wording_of
 
 
 def call(*args: object) -> Result:

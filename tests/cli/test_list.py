@@ -4,9 +4,9 @@ from dataclasses import dataclass
 import pytest
 from click.testing import CliRunner
 
-from sim2reason import registries, registry
+from sim2reason.base import registries, registry
+from sim2reason.base.registry import Registry
 from sim2reason.cli import main
-from sim2reason.registry import Registry
 
 
 @dataclass

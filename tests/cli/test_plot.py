@@ -4,8 +4,8 @@ import pytest
 from click.testing import CliRunner
 
 from sim2reason.cli import main
-from sim2reason.datasets.random_scenes import sample
-from sim2reason.scene_files import dump
+from sim2reason.generation.random_scenes import sample
+from sim2reason.scenes.files import dump
 
 
 def plotted(tmp_path: Path, out: Path, *options: object) -> str:

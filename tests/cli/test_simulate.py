@@ -11,7 +11,7 @@ from click.testing import CliRunner, Result
 from sim2reason.cli import main
 from sim2reason.cli.sandbox import sandboxed
 from sim2reason.errors import SceneError, SimulationError
-from sim2reason.scene_files import load
+from sim2reason.scenes.files import load
 from sim2reason.simulation import trace_files
 from sim2reason.simulation.scenes import simulate
 

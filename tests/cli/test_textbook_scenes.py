@@ -8,7 +8,7 @@ import pytest
 from click.testing import CliRunner
 
 from sim2reason.cli.solve import command
-from sim2reason.dsl.units import parse_unit
+from sim2reason.scenes.dsl.units import parse_unit
 
 DATA = Path(__file__).parents[1] / "data"
 ROWS: list[dict[str, Any]] = [

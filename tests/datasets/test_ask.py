@@ -4,8 +4,8 @@ from pathlib import Path
 
 from plain_scenes import atwood, ramp, swing
 from sim2reason.datasets.ask import ask, asked
-from sim2reason.datasets.splits import problem
-from sim2reason.scene_files import load
+from sim2reason.generation.splits import problem
+from sim2reason.scenes.files import load
 
 
 def test_variants_of_a_problem_only_fill_up() -> None:

@@ -8,12 +8,12 @@ from click.testing import CliRunner
 
 from sim2reason.cli import main
 from sim2reason.datasets.cells import FALSE_ALARM, LEAST_KEPT, Cell, empty, enough, table
-from sim2reason.datasets.item_search import EMPTY
-from sim2reason.datasets.make import make as make_item
 from sim2reason.datasets.manifest import Manifest, load
-from sim2reason.datasets.question_search import NOTHING
-from sim2reason.datasets.request import Request
 from sim2reason.datasets.verify import verify
+from sim2reason.generation.item_search import EMPTY
+from sim2reason.generation.make import make as make_item
+from sim2reason.generation.question_search import NOTHING
+from sim2reason.generation.request import Request
 from sim2reason.questions import KINDS
 
 Make = Callable[..., Manifest]

@@ -18,8 +18,8 @@ from sim2reason.datasets.contamination import RUN, Benchmarks, words
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.generate import Order, generate
 from sim2reason.datasets.manifest import refused
-from sim2reason.datasets.request import Request
 from sim2reason.errors import DatasetError
+from sim2reason.generation.request import Request
 
 ORIGINAL = (
     "A block of mass $m = 2.5 \\mathrm{~kg}$ rests on a rough incline of angle $30^{\\circ}$ while a light string, "

@@ -13,10 +13,11 @@ import fake_makers
 from sim2reason.datasets import lazy
 from sim2reason.datasets.contamination import Benchmarks
 from sim2reason.datasets.lazy import MOST, LazyProblems
-from sim2reason.datasets.plan import Config, Made
-from sim2reason.datasets.request import Request
-from sim2reason.datasets.splits import split_of
+from sim2reason.datasets.plan import Config
 from sim2reason.errors import DatasetError, DrawError
+from sim2reason.generation.made import Made
+from sim2reason.generation.request import Request
+from sim2reason.generation.splits import split_of
 
 SPLIT = {"test": 0.4, "train": 0.6}  # in alphabetical order, as configurations have them
 

@@ -10,9 +10,10 @@ from pydantic import ValidationError
 from sim2reason.datasets.card import text
 from sim2reason.datasets.items import item, sample, stream
 from sim2reason.datasets.manifest import Manifest, merged
-from sim2reason.datasets.plan import Config, file_name, versions
-from sim2reason.datasets.request import LARGEST, Request
+from sim2reason.datasets.plan import Config, file_name
 from sim2reason.errors import DrawError
+from sim2reason.generation.made import versions
+from sim2reason.generation.request import LARGEST, Request
 
 NAMES = st.lists(st.sampled_from(["pulley", "incline", "hybrid", "collision"]), min_size=1, unique=True).map(tuple)
 

@@ -15,9 +15,9 @@ from datasets import load_dataset
 
 from sim2reason.datasets import store
 from sim2reason.datasets.grade import grade
-from sim2reason.datasets.item import Answer, Binding, FormulaRecord, Item
 from sim2reason.datasets.rows import plain
 from sim2reason.errors import DatasetError
+from sim2reason.generation.item import Answer, Binding, FormulaRecord, Item
 
 Rows = Callable[[Path], Iterable[Any]]
 
@@ -117,7 +117,7 @@ READERS: list[Rows] = [
 def items() -> list[Item]:
     """A number with a sign, one without a unit, and a formula."""
     from fake_makers import steady
-    from sim2reason.datasets.request import Request
+    from sim2reason.generation.request import Request
 
     bindings = tuple(Binding(numbers=(angle, 9.8), answer=9.8 * np.sin(angle)) for angle in (0.5, 0.6, 0.7, 0.8))
     units = "rad", "m/s^2"

@@ -10,9 +10,9 @@ from unittest.mock import Mock
 import pytest
 
 from fake_makers import steady
-from sim2reason.benchmarks.parts import files
 from sim2reason.datasets import store
-from sim2reason.datasets.request import Request
+from sim2reason.evaluation.benchmarks.parts import files
+from sim2reason.generation.request import Request
 
 
 class Watched(BytesIO):

@@ -8,11 +8,11 @@ import pytest
 
 import sim2reason
 from sim2reason.cli import options
-from sim2reason.datasets.question_search import QuestionSearch
-from sim2reason.datasets.random_scenes import sample
-from sim2reason.datasets.request import Request
 from sim2reason.errors import DatasetError, DrawError
-from sim2reason.filters import Candidate, Verdict
+from sim2reason.generation.filters import Candidate, Verdict
+from sim2reason.generation.question_search import QuestionSearch
+from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.request import Request
 from sim2reason.questions import MODES
 from sim2reason.questions.tolerance import STRICTEST, TOLERANCE
 

@@ -15,11 +15,11 @@ from sim2reason.datasets import distinct
 from sim2reason.datasets.build import build, build_part
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.distinct import Marks, doubles
-from sim2reason.datasets.item import Item
 from sim2reason.datasets.manifest import Manifest, refused
 from sim2reason.datasets.plan import Config
-from sim2reason.datasets.request import Request
 from sim2reason.datasets.variants import variant
+from sim2reason.generation.item import Item
+from sim2reason.generation.request import Request
 
 Make = Callable[..., Manifest]
 Contents = Callable[[Path], dict[str, bytes]]

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from sim2reason.base.atomic_files import FOLDER, canonical, checksum
 from sim2reason.datasets import store
-from sim2reason.datasets.atomic_files import FOLDER, canonical, checksum
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, load, shards
 from sim2reason.datasets.stats import stats

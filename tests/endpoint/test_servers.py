@@ -15,9 +15,9 @@ from pathlib import Path
 import pytest
 
 from sim2reason.errors import PolicyError
-from sim2reason.policies import Policy, SampleRequest, policy_from
-from sim2reason.policies.samples.journal import finished
-from sim2reason.reports.evaluation import evaluate
+from sim2reason.evaluation.policies import Policy, SampleRequest, policy_from
+from sim2reason.evaluation.policies.samples.journal import finished
+from sim2reason.evaluation.reports.evaluation import evaluate
 
 SERVERS = {"llama": ("xllamacpp", "gguf"), "vllm": ("vllm",)}  # with the modules that each needs
 TARGETS = {"llama": "make test-endpoint", "vllm": "make test-vllm"}

@@ -3,12 +3,13 @@ from itertools import product
 import numpy as np
 import pytest
 
-from sim2reason.datasets.random_scenes import sample as sample_scene
-from sim2reason.dsl.connection import CONNECTIONS, Link
-from sim2reason.dsl.entity import ENTITIES, Named
-from sim2reason.dsl.model import draw
-from sim2reason.dsl.scene import Scene
-from sim2reason.recipes import DIFFICULTIES, RECIPES
+from sim2reason.generation.random_scenes import sample as sample_scene
+from sim2reason.generation.recipes import RECIPES
+from sim2reason.questions.difficulty import DIFFICULTIES
+from sim2reason.scenes.dsl.connection import CONNECTIONS, Link
+from sim2reason.scenes.dsl.entity import ENTITIES, Named
+from sim2reason.scenes.dsl.model import draw
+from sim2reason.scenes.dsl.scene import Scene
 
 Ends = list[tuple[str, str]]
 HANGING, WEDGE = {"system": ("Hanging",)}, {"system": ("OnWedge",)}

@@ -6,18 +6,6 @@ from typing import NamedTuple
 
 import pytest
 
-from sim2reason.bodies.planes import Plane, Prism, Wedge
-from sim2reason.bodies.pulleys import FixedPulley
-from sim2reason.bodies.sliders import Block
-from sim2reason.dsl.body import Body
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.connection import CONNECTIONS, Link
-from sim2reason.dsl.entity import Entity, Named
-from sim2reason.dsl.mechanism import ConstantTension, X, Z
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.parts.mass_systems import Hanging, OnPlane
-from sim2reason.entities.pulleys import MassWithFixedPulley
-from sim2reason.entities.slopes import MassPrismPlane, TwoSideMassPlane
 from sim2reason.errors import FigureWarning, MissingExtraError, UnsupportedError
 from sim2reason.figures.arrange import Arranger
 from sim2reason.figures.canvas import draw
@@ -26,7 +14,19 @@ from sim2reason.figures.hanging import PulleyPiece
 from sim2reason.figures.layout_cost import Layout
 from sim2reason.figures.shapes import Area, Drawing
 from sim2reason.figures.vectors import common, depth, dot, unit
-from sim2reason.prose.description import describe
+from sim2reason.scenes.bodies.planes import Plane, Prism, Wedge
+from sim2reason.scenes.bodies.pulleys import FixedPulley
+from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.dsl.body import Body
+from sim2reason.scenes.dsl.builder import Frame
+from sim2reason.scenes.dsl.connection import CONNECTIONS, Link
+from sim2reason.scenes.dsl.entity import Entity, Named
+from sim2reason.scenes.dsl.mechanism import ConstantTension, X, Z
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.parts.mass_systems import Hanging, OnPlane
+from sim2reason.scenes.entities.pulleys import MassWithFixedPulley
+from sim2reason.scenes.entities.slopes import MassPrismPlane, TwoSideMassPlane
+from sim2reason.text.prose.description import describe
 
 SVG = "{http://www.w3.org/2000/svg}"
 

@@ -5,11 +5,11 @@ from math import hypot
 
 import pytest
 
-from sim2reason.datasets.random_scenes import sample
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.shapes import Arc, Area, Drawing, Label, LineShape, Shape, outline
 from sim2reason.figures.vectors import inside, length_inside
-from sim2reason.prose.description import describe
+from sim2reason.generation.random_scenes import sample
+from sim2reason.text.prose.description import describe
 
 RECIPES = ("incline", "mixed", "hybrid", "box", "pulley")
 FAR = 0.6  # units

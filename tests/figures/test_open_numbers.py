@@ -5,13 +5,13 @@ from collections import Counter
 
 import pytest
 
-from sim2reason.datasets.random_scenes import sample
-from sim2reason.dsl.model import Parameter
-from sim2reason.dsl.scene import Scene
 from sim2reason.figures.drawing import drawing
-from sim2reason.prose.description import describe
-from sim2reason.prose.voices import Voice, hiding, numeric, symbolic_but_zero
-from sim2reason.recipes import RECIPES
+from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.recipes import RECIPES
+from sim2reason.scenes.dsl.model import Parameter
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.text.prose.description import describe
+from sim2reason.text.prose.voices import Voice, hiding, numeric, symbolic_but_zero
 
 
 def shown(scene: Scene, voice: Voice) -> set[str]:

@@ -4,20 +4,20 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from sim2reason.bodies.pendulums import Ball
-from sim2reason.bodies.planes import Plane
-from sim2reason.bodies.sliders import Block, Puck, Table
-from sim2reason.datasets.random_scenes import sample
-from sim2reason.dsl.entity import Entity, Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.projectile import Projectile
-from sim2reason.entities.slopes import TwoSideMassPlane
-from sim2reason.entities.two_d_collision_plane import TwoDCollisionPlane
 from sim2reason.figures.curves import motion_curves, told
 from sim2reason.figures.plot import REASONS, Colors, plot
-from sim2reason.prose.description import describe
+from sim2reason.generation.random_scenes import sample
+from sim2reason.scenes.bodies.pendulums import Ball
+from sim2reason.scenes.bodies.planes import Plane
+from sim2reason.scenes.bodies.sliders import Block, Puck, Table
+from sim2reason.scenes.dsl.entity import Entity, Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.projectile import Projectile
+from sim2reason.scenes.entities.slopes import TwoSideMassPlane
+from sim2reason.scenes.entities.two_d_collision_plane import TwoDCollisionPlane
 from sim2reason.simulation.scenes import simulate, whole
 from sim2reason.simulation.trace import EVENT_KINDS, Event, Trace
+from sim2reason.text.prose.description import describe
 
 
 def alone(entity: Entity) -> Scene:

@@ -2,9 +2,9 @@
 
 import pytest
 
-from sim2reason.dsl.mechanism import Elastic, Inextensible, Line
 from sim2reason.figures.springs import spring
 from sim2reason.figures.vectors import cross
+from sim2reason.scenes.dsl.mechanism import Elastic, Inextensible, Line
 
 A, B = 1.0 + 2.0j, 4.0 + 6.0j
 

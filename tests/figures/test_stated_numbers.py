@@ -2,20 +2,21 @@
 
 import pytest
 
-from sim2reason.bodies.planes import Track
-from sim2reason.bodies.sliders import Glider
-from sim2reason.datasets.random_scenes import generator
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
-from sim2reason.entities.spring_block import SpringBlock
 from sim2reason.figures.curves import Mark
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.plot import listed
 from sim2reason.figures.shapes import Label, LineShape
-from sim2reason.prose.description import describe
-from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty
-from sim2reason.scene_files import loads
+from sim2reason.generation.random_scenes import generator
+from sim2reason.generation.recipes import RECIPES
+from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty
+from sim2reason.scenes.bodies.planes import Track
+from sim2reason.scenes.bodies.sliders import Glider
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.complex_collision_plane import ComplexCollisionPlane
+from sim2reason.scenes.entities.spring_block import SpringBlock
+from sim2reason.scenes.files import loads
+from sim2reason.text.prose.description import describe
 
 
 def labels(scene: Scene) -> list[Label]:

@@ -9,16 +9,16 @@ from typing import NamedTuple
 import pytest
 
 from sim2reason.datasets.items import made, requested
-from sim2reason.datasets.random_scenes import sample
-from sim2reason.dsl.scene import Scene
 from sim2reason.figures import canvas
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.scenes import figure
 from sim2reason.figures.shapes import Area, Drawing, LineShape
 from sim2reason.figures.unknowns import disguised, unknowns
-from sim2reason.prose.description import Description, describe
-from sim2reason.prose.voices import hiding, symbolic_but_zero
+from sim2reason.generation.random_scenes import sample
 from sim2reason.questions.unknown import unknowns as offered
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.text.prose.description import Description, describe
+from sim2reason.text.prose.voices import hiding, symbolic_but_zero
 
 CHOSEN = ("incline", "mixed", "pendulum", "rotation", "projectile", "box", "springs", "hybrid", "collision")
 LEAST = 0.1  # relatively

@@ -13,10 +13,10 @@ from sim2reason.cli.grade import command
 from sim2reason.datasets.build import build
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.grade import GradedResponse, Response, Tallies, grade, graded, line, responses
-from sim2reason.datasets.item import Item
 from sim2reason.datasets.plan import Config
-from sim2reason.datasets.request import Request
 from sim2reason.errors import DatasetError
+from sim2reason.generation.item import Item
+from sim2reason.generation.request import Request
 
 
 @pytest.fixture

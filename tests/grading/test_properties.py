@@ -11,8 +11,8 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from formula_trees import NAMES, Tree, leaf, mutant, values
-from sim2reason.dsl.units import parse_unit
 from sim2reason.grading import Outcome, Score, formula, number
+from sim2reason.scenes.dsl.units import parse_unit
 
 steady = settings(derandomize=True, max_examples=400)
 

@@ -2,9 +2,9 @@
 
 import pytest
 
-from sim2reason.dsl.units import UnitError, parse_unit
 from sim2reason.grading import Outcome, Score, formula, number, remarks
 from sim2reason.grading.score import Refused
+from sim2reason.scenes.dsl.units import UnitError, parse_unit
 
 
 def boxed(answer: str, reference: float, positive: str = "") -> Score:

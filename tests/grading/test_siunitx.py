@@ -2,8 +2,8 @@
 
 import pytest
 
-from sim2reason.dsl.units import parse_unit
 from sim2reason.grading import Outcome, number
+from sim2reason.scenes.dsl.units import parse_unit
 
 
 @pytest.mark.parametrize(

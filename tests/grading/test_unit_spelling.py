@@ -4,9 +4,9 @@ import math
 
 import pytest
 
-from sim2reason.dsl.units import UnitError, parse_unit
 from sim2reason.grading.siunitx import expanded
 from sim2reason.grading.unit_spelling import unit_in
+from sim2reason.scenes.dsl.units import UnitError, parse_unit
 
 
 @pytest.mark.parametrize(

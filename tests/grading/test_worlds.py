@@ -14,15 +14,15 @@ from pathlib import Path
 import pytest
 
 import hostile
-import sim2reason.dsl.units
 import sim2reason.grading
+import sim2reason.scenes.dsl.units
 from grader_cases import CASES, verdict
 from sim2reason.grading import formula, number
 
 SUPPORT = Path(hostile.__file__).parent
 SOURCES = [
     *Path(sim2reason.grading.__file__).parent.glob("*.py"),
-    *Path(sim2reason.dsl.units.__file__).parent.glob("unit*.py"),
+    *Path(sim2reason.scenes.dsl.units.__file__).parent.glob("unit*.py"),
 ]
 
 
@@ -100,7 +100,7 @@ def test_the_source_runs_nothing_that_it_reads(path: Path) -> None:
     compiled = [node for node in ast.walk(tree) if isinstance(node, ast.Attribute) and node.attr == "compile"]
     assert all(isinstance(node.value, ast.Name) and node.value.id == "re" for node in compiled)
     house = {module for module in modules if module and module.startswith("sim2reason")}
-    assert all(module.startswith(("sim2reason.grading", "sim2reason.dsl.unit")) for module in house)
+    assert all(module.startswith(("sim2reason.grading", "sim2reason.scenes.dsl.unit")) for module in house)
 
 
 def test_importing_the_grader_loads_nothing_heavy() -> None:

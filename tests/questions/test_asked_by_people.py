@@ -7,10 +7,6 @@ import numpy as np
 import pytest
 
 from plain_scenes import G, atwood, ramp
-from sim2reason.dsl.scene import Scene
-from sim2reason.parsing import parse_scene
-from sim2reason.prose.description import describe
-from sim2reason.quantities import QUANTITIES
 from sim2reason.questions import KINDS, MOMENTS
 from sim2reason.questions.choices import pick
 from sim2reason.questions.following import motion_of
@@ -20,8 +16,12 @@ from sim2reason.questions.posing import posed
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.targets import targets
-from sim2reason.scene_files import loads
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.files import loads
 from sim2reason.simulation.certify import witnessed
+from sim2reason.simulation.quantities import QUANTITIES
+from sim2reason.text.parsing import parse_scene
+from sim2reason.text.prose.description import describe
 
 ROCKET = """
 scene:

@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 
 from plain_scenes import arm, atwood, ramp, table
-from sim2reason.dsl.scene import Scene
-from sim2reason.prose.description import describe
 from sim2reason.questions import KINDS, Moment, Study, Target
 from sim2reason.questions.constancy import hangs_on, lasts
 from sim2reason.questions.moments.collisions import Collided
 from sim2reason.questions.moments.times import AllAlong, AtStart, AtTime
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.targets import targets
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.text.prose.description import describe
 
 LEFT, RIGHT = "table.pucks.0", "table.pucks.1"
 BLOCK = "ramp.blocks.0"

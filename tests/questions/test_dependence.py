@@ -5,17 +5,17 @@ from math import exp, log
 import numpy as np
 import pytest
 
-from sim2reason.bodies.space import LevelGround, Rocket
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.rocket_entity import RocketEntity
 from sim2reason.questions import Query, Study, Target
 from sim2reason.questions.dependence import Dependence
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.distances import Farthest
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.study import ENOUGH
-from sim2reason.scene_files import loads
+from sim2reason.scenes.bodies.space import LevelGround, Rocket
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.rocket_entity import RocketEntity
+from sim2reason.scenes.files import loads
 
 ROOT = 3.0
 

@@ -4,17 +4,17 @@ import numpy as np
 import pytest
 
 import motions
-from sim2reason.bodies.pendulums import Ball, Cord, LightRod
-from sim2reason.datasets.question_search import QuestionSearch
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.units import ASTRONOMICAL
-from sim2reason.entities.pendulums import Pendulum
-from sim2reason.quantities import QUANTITIES
+from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.questions import KINDS, MODES, Query, Question, Study, Words
 from sim2reason.questions.choices import has_formula_of_time
 from sim2reason.questions.moments.times import AtStart
 from sim2reason.questions.targets import targets
+from sim2reason.scenes.bodies.pendulums import Ball, Cord, LightRod
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.units import ASTRONOMICAL
+from sim2reason.scenes.entities.pendulums import Pendulum
+from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.scenes import simulate
 
 

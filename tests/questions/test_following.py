@@ -5,15 +5,15 @@ from math import pi, sqrt
 import pytest
 
 from plain_scenes import G, atwood, ramp, swing
-from sim2reason.dsl.scene import Scene, World
-from sim2reason.prose.description import describe
 from sim2reason.questions.following import Followed, eventful, follow, motion_of
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.posing import posed
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.structured import StructuredQuestion
-from sim2reason.scene_files import load, loads
+from sim2reason.scenes.dsl.scene import Scene, World
+from sim2reason.scenes.files import load, loads
+from sim2reason.text.prose.description import describe
 
 MOON = 1.62
 FORM = r" Give your answer in {}, to three significant figures, inside \boxed{{}}."

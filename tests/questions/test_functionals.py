@@ -12,18 +12,8 @@ import pytest
 
 import motions
 from plain_scenes import atwood, ramp, squeezed, swing, table
-from sim2reason.bodies.space import HeavyPlanet, Star
-from sim2reason.datasets.question_search import QuestionSearch
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.fields import Resistance
-from sim2reason.dsl.mechanism import ZERO, X, Z
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.solar_system import SolarSystem
-from sim2reason.filters import FILTERS, Candidate
-from sim2reason.prose.description import describe
-from sim2reason.quantities.subjects.bodies import ALL
-from sim2reason.quantities.subjects.pairs import Pairs, members
+from sim2reason.generation.filters import FILTERS, Candidate
+from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.questions import KINDS, MODES, Moment, Question, Study, Words
 from sim2reason.questions.following import motion_of
 from sim2reason.questions.functionals import FUNCTIONALS
@@ -42,8 +32,18 @@ from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.recurrence import first_return
-from sim2reason.scene_files import load
+from sim2reason.scenes.bodies.space import HeavyPlanet, Star
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.fields import Resistance
+from sim2reason.scenes.dsl.mechanism import ZERO, X, Z
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.solar_system import SolarSystem
+from sim2reason.scenes.files import load
 from sim2reason.simulation.certify import certify
+from sim2reason.simulation.quantities.subjects.bodies import ALL
+from sim2reason.simulation.quantities.subjects.pairs import Pairs, members
+from sim2reason.text.prose.description import describe
 
 G = 9.8
 RISE, AHEAD = 5.0 * sin(radians(40.0)), 5.0 * cos(radians(40.0))

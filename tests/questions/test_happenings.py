@@ -9,12 +9,8 @@ import pytest
 
 import motions
 from plain_scenes import ramp, table
-from sim2reason.datasets.random_scenes import sample
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.mechanism import Z
-from sim2reason.dsl.model import rebuilt
-from sim2reason.filters import FILTERS, Candidate
-from sim2reason.prose.description import describe
+from sim2reason.generation.filters import FILTERS, Candidate
+from sim2reason.generation.random_scenes import sample
 from sim2reason.questions import KINDS, MOMENTS, Moment, Query, Question, Study, Words
 from sim2reason.questions.following import motion_of
 from sim2reason.questions.moments.angles import Deflected, Orbited, TurnedThrough
@@ -30,10 +26,14 @@ from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import Fastest, Halted, HighestPoint, LowestPoint, Stopped
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.targets import targets
-from sim2reason.scene_files import load
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.mechanism import Z
+from sim2reason.scenes.dsl.model import rebuilt
+from sim2reason.scenes.files import load
 from sim2reason.simulation.certify import Certificate, certify
 from sim2reason.simulation.engines.exact import simulate as exact
 from sim2reason.simulation.scenes import simulate
+from sim2reason.text.prose.description import describe
 
 G = 9.8
 ROD_RATE = sqrt(1.5 * G / 1.2)  # of small swings of a uniform rod of 1.2 m

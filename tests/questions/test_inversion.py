@@ -3,7 +3,6 @@
 import pytest
 
 from plain_scenes import G, ramp
-from sim2reason.prose.description import describe
 from sim2reason.questions.following import motion_of
 from sim2reason.questions.inversion import values_giving, why_not_one
 from sim2reason.questions.parse_prompt import parse_prompt
@@ -11,6 +10,7 @@ from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.unknown import range_of
 from sim2reason.questions.words import Words
+from sim2reason.text.prose.description import describe
 
 SLIDING = ramp(angle=0.0, friction=0.05, speed=5.0)
 SPEED, FRICTION = "ramp.speed", "ramp.plane.friction"

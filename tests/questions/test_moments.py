@@ -9,17 +9,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from plain_scenes import G, arm, atwood, ramp, row, squeezed, table
-from sim2reason.bodies.planes import Incline
-from sim2reason.bodies.round_bodies import Hoop
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.mechanism import ZERO, X
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.parts.rolling import NoSlipping, Rolling, Rough, Sliding, Spinning
-from sim2reason.entities.rolling import RollingEntity
-from sim2reason.prose.description import describe
-from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.pairs import pair
 from sim2reason.questions import KINDS, Moment, Study
 from sim2reason.questions.crossing import begins_beyond, crossings, first_crossing, jumps
 from sim2reason.questions.moments.collisions import Collided
@@ -32,9 +21,20 @@ from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.spoken import round_number, said, say, spoken, two_digits
 from sim2reason.questions.targets import targets
-from sim2reason.scene_files import load
+from sim2reason.scenes.bodies.planes import Incline
+from sim2reason.scenes.bodies.round_bodies import Hoop
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.mechanism import ZERO, X
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.parts.rolling import NoSlipping, Rolling, Rough, Sliding, Spinning
+from sim2reason.scenes.entities.rolling import RollingEntity
+from sim2reason.scenes.files import load
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
+from sim2reason.simulation.quantities.subjects.pairs import pair
 from sim2reason.simulation.scenes import simulate
 from sim2reason.simulation.trace import ENGINES
+from sim2reason.text.prose.description import describe
 
 BLOCK = "ramp.blocks.0"
 PUCKS = "table.pucks.0 & table.pucks.1"

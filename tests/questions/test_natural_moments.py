@@ -4,14 +4,6 @@ import pytest
 
 from lone_entities import alone
 from plain_scenes import ramp, row
-from sim2reason.bodies.pendulums import Ball
-from sim2reason.bodies.sliders import Puck, Table
-from sim2reason.bodies.space import DeepSpace, LevelGround, Rocket
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.projectile import Projectile
-from sim2reason.entities.rocket_entity import RocketEntity
-from sim2reason.entities.two_d_collision_plane import TwoDCollisionPlane
-from sim2reason.prose.description import describe
 from sim2reason.questions.functionals.parts.integral import encounter
 from sim2reason.questions.moments.collisions import Collided
 from sim2reason.questions.moments.distances import Moved
@@ -20,6 +12,14 @@ from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.targets import Target, targets
 from sim2reason.questions.words import Words
+from sim2reason.scenes.bodies.pendulums import Ball
+from sim2reason.scenes.bodies.sliders import Puck, Table
+from sim2reason.scenes.bodies.space import DeepSpace, LevelGround, Rocket
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.projectile import Projectile
+from sim2reason.scenes.entities.rocket_entity import RocketEntity
+from sim2reason.scenes.entities.two_d_collision_plane import TwoDCollisionPlane
+from sim2reason.text.prose.description import describe
 
 PUCKS = (
     Puck(mass=1.0, x=-1.0, y=0.0, vx=2.0, vy=0.1),

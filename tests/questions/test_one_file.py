@@ -10,13 +10,11 @@ import numpy as np
 import pytest
 
 from plain_scenes import atwood, ramp, swing, three
-from sim2reason.datasets.certified import CertifiedQuestion
-from sim2reason.datasets.make import item_of
-from sim2reason.datasets.question_search import QuestionSearch
-from sim2reason.datasets.request import Request
-from sim2reason.dsl.scene import Scene
 from sim2reason.figures.curves import motion_curves
-from sim2reason.quantities import QUANTITIES
+from sim2reason.generation.certified import CertifiedQuestion
+from sim2reason.generation.make import item_of
+from sim2reason.generation.question_search import QuestionSearch
+from sim2reason.generation.request import Request
 from sim2reason.questions import KINDS, MODES, MOMENTS, Query, Study, Target
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.parse_prompt import parse_prompt
@@ -24,15 +22,17 @@ from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.targets import targets
+from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.certify import witnessed
 from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.quantities import QUANTITIES
 
 QUANTITY = '''
 import numpy as np
 
-from sim2reason.quantities import Quantity, quantity
-from sim2reason.quantities.kinematics import Velocity
-from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.simulation.quantities import Quantity, quantity
+from sim2reason.simulation.quantities.kinematics import Velocity
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
 
 
 @quantity
@@ -58,8 +58,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sim2reason.quantities import QUANTITIES
-from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.simulation.quantities import QUANTITIES
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
 from sim2reason.questions.moments import MOMENTS, Clause
 from sim2reason.questions.moments.parts.passage import Threshold
 from sim2reason.questions.spoken import spoken
@@ -142,10 +142,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sim2reason.quantities import Quantity, quantity
-from sim2reason.quantities.kinematics import Displacement
-from sim2reason.quantities.subjects import Sense, Subject
-from sim2reason.quantities.subjects.pairs import pair
+from sim2reason.simulation.quantities import Quantity, quantity
+from sim2reason.simulation.quantities.kinematics import Displacement
+from sim2reason.simulation.quantities.subjects import Sense, Subject
+from sim2reason.simulation.quantities.subjects.pairs import pair
 
 
 @dataclass(frozen=True)
@@ -192,7 +192,7 @@ class Gap(Quantity):
 '''
 PUCKS = "table.pucks.0 table.pucks.1"
 FUNCTIONAL = '''
-from sim2reason.quantities.momentum import Momentum
+from sim2reason.simulation.quantities.momentum import Momentum
 from sim2reason.questions.functionals import functional
 from sim2reason.questions.functionals.parts.extreme import Extreme
 

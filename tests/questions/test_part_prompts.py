@@ -6,8 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from plain_scenes import atwood
-from sim2reason.datasets.question_search import QuestionSearch
 from sim2reason.errors import TextError
+from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.questions import KINDS, MODES, Question
 from sim2reason.questions.moments import Happening
 from sim2reason.questions.moments.times import AtTime

@@ -2,14 +2,6 @@
 
 import pytest
 
-from sim2reason.bodies.sliders import Block
-from sim2reason.bodies.space import AirlessPlanet, DeepSpace, LevelGround, Rocket
-from sim2reason.bodies.spring import NailedSpring
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.rocket_entity import RocketEntity
-from sim2reason.entities.spring_block import SpringBlock
-from sim2reason.prose.description import describe
 from sim2reason.questions import Words
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.kinds.parts.stretch_kind import nouns
@@ -19,6 +11,14 @@ from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.phrasing import again
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.targets import Target, targets
+from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.space import AirlessPlanet, DeepSpace, LevelGround, Rocket
+from sim2reason.scenes.bodies.spring import NailedSpring
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.rocket_entity import RocketEntity
+from sim2reason.scenes.entities.spring_block import SpringBlock
+from sim2reason.text.prose.description import describe
 
 BEFORE = "from t = 0 until {} first "
 

@@ -8,9 +8,8 @@ import pytest
 
 from plain_scenes import G, atwood, ramp, row, swing, table
 from sim2reason.datasets.items import sample
-from sim2reason.dsl.scene import Scene
 from sim2reason.errors import TextError
-from sim2reason.prose.description import describe
+from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import KINDS, MOMENTS, Words
 from sim2reason.questions.following import Followed, motion_of
 from sim2reason.questions.functionals import FUNCTIONALS
@@ -19,8 +18,9 @@ from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.posing import PosedQuestion, findable, posed
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.structured import StructuredQuestion, moment_named, moment_told, resolved
-from sim2reason.recipes import RECIPES
-from sim2reason.scene_files import load
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.files import load
+from sim2reason.text.prose.description import describe
 
 SLIDING = ramp(angle=0.0, friction=0.05, speed=5.0)
 FAR, LATE = 25.0 / (0.1 * G), 5.0 / (0.05 * G)

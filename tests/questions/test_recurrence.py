@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 from motions import Motion, charge, light_rod, orbit, rolling_ball, slab, spring_block, string_pendulum, thrown_ball
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.fields import Magnetic, Profile, Push
-from sim2reason.dsl.mechanism import ZERO, Mechanism, X, Y, Z
 from sim2reason.questions.following import motion_of
 from sim2reason.questions.period_words import attracted_by
 from sim2reason.questions.recurrence import Repetition, drift_return, first_return, flies_off, nothing_new
-from sim2reason.scene_files import load
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.fields import Magnetic, Profile, Push
+from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism, X, Y, Z
+from sim2reason.scenes.files import load
 from sim2reason.simulation.engines.exact import simulate
 
 G = 9.8

@@ -7,24 +7,25 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from sim2reason.bodies.sliders import Block
-from sim2reason.bodies.spring import NailedSpring
-from sim2reason.datasets.question_search import QuestionSearch
-from sim2reason.datasets.random_scenes import sample
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.spring_block import SpringBlock
 from sim2reason.errors import SimulationError, TextError, UnsupportedError
-from sim2reason.prose import describe
-from sim2reason.prose.description import Description
-from sim2reason.prose.voices import hiding, symbolic_but_zero
+from sim2reason.generation.question_search import QuestionSearch
+from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import MODES, Question
+from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import FORMATS, PLAIN_FORMATS, shaped, unit_in_words
 from sim2reason.questions.shapes import SHAPES
 from sim2reason.questions.shapes.numbers import FEWEST
 from sim2reason.questions.shapes.parts.units import is_table, text_of, units
-from sim2reason.recipes import DIFFICULTIES, RECIPES
+from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.spring import NailedSpring
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.spring_block import SpringBlock
+from sim2reason.text.prose import describe
+from sim2reason.text.prose.description import Description
+from sim2reason.text.prose.voices import hiding, symbolic_but_zero
 
 SCENES = 6  # of each recipe and difficulty
 MOST = 0.32  # of the prompts of a recipe

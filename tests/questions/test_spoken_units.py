@@ -6,9 +6,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sim2reason.dsl.units import parse_unit
 from sim2reason.errors import UnknownNameError
 from sim2reason.questions.spoken_units import CGS, MIXED, SI, SYSTEMS, SpokenUnits, in_si, spoken_in, system_named
+from sim2reason.scenes.dsl.units import parse_unit
 
 TEXT = (
     "Block A (2.6 kg) is 0.080 m above B and moves at −2.3 m/s; k = 120 N/m, b = 0.30 N·s/m, F = 5.2 N, g = 9.8 m/s². "

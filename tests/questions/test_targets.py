@@ -8,27 +8,27 @@ import pytest
 
 from motions import told_motions
 from plain_scenes import G, atwood, ramp, squeezed, swing, table
-from sim2reason.bodies.pendulums import FixedBall
-from sim2reason.bodies.planes import Box, Incline
-from sim2reason.bodies.round_bodies import Sphere
-from sim2reason.bodies.sliders import Block
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.parts.pieces import BallPiece, RoundPiece
-from sim2reason.entities.parts.rolling import Rolling, Rough, Sliding, Spinning
-from sim2reason.entities.pendulums import RotationEntity
-from sim2reason.entities.rolling import RollingEntity
-from sim2reason.entities.slopes import MassBoxPlane
-from sim2reason.prose.description import describe
-from sim2reason.quantities import QUANTITIES
-from sim2reason.quantities.subjects import Sense
 from sim2reason.questions import KINDS, MODES, Noun, Query, Study, Words
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.phrasing import QUOTA, asking, chosen
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.targets import Target, targets
+from sim2reason.scenes.bodies.pendulums import FixedBall
+from sim2reason.scenes.bodies.planes import Box, Incline
+from sim2reason.scenes.bodies.round_bodies import Sphere
+from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.parts.pieces import BallPiece, RoundPiece
+from sim2reason.scenes.entities.parts.rolling import Rolling, Rough, Sliding, Spinning
+from sim2reason.scenes.entities.pendulums import RotationEntity
+from sim2reason.scenes.entities.rolling import RollingEntity
+from sim2reason.scenes.entities.slopes import MassBoxPlane
+from sim2reason.simulation.quantities import QUANTITIES
+from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.simulation.scenes import simulate
+from sim2reason.text.prose.description import describe
 
 MAGNITUDES = ("radius", "speed", "magnitude", "amount by which", "distance", "kinetic", "tension", "normal")
 

@@ -7,23 +7,8 @@ import numpy as np
 import pytest
 
 from plain_scenes import ramp
-from sim2reason.bodies.pendulums import Ball, Cord, LightRod
-from sim2reason.bodies.planes import Incline, Plane
-from sim2reason.bodies.pulleys import FixedPulley
-from sim2reason.bodies.round_bodies import Hoop
-from sim2reason.bodies.sliders import Block
-from sim2reason.datasets.question_search import QuestionSearch
-from sim2reason.dsl.connection import CONNECTIONS, Link
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.parts.mass_systems import Hanging, OnPlane
-from sim2reason.entities.parts.rolling import Rough
-from sim2reason.entities.pendulums import Pendulum
-from sim2reason.entities.pulleys import MassWithFixedPulley
-from sim2reason.entities.rolling import RollingEntity
 from sim2reason.errors import SimulationError
-from sim2reason.prose.description import describe
-from sim2reason.prose.voices import hiding
+from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.questions import KINDS, MODES, Study, Words
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.outcomes import OUTCOMES, Onset
@@ -32,8 +17,23 @@ from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import prompt, words_of
 from sim2reason.questions.simplifications import SIMPLIFICATIONS
 from sim2reason.questions.trial import Trial
+from sim2reason.scenes.bodies.pendulums import Ball, Cord, LightRod
+from sim2reason.scenes.bodies.planes import Incline, Plane
+from sim2reason.scenes.bodies.pulleys import FixedPulley
+from sim2reason.scenes.bodies.round_bodies import Hoop
+from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.dsl.connection import CONNECTIONS, Link
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.parts.mass_systems import Hanging, OnPlane
+from sim2reason.scenes.entities.parts.rolling import Rough
+from sim2reason.scenes.entities.pendulums import Pendulum
+from sim2reason.scenes.entities.pulleys import MassWithFixedPulley
+from sim2reason.scenes.entities.rolling import RollingEntity
 from sim2reason.simulation.scenes import simulate
 from sim2reason.simulation.trace import Trace
+from sim2reason.text.prose.description import describe
+from sim2reason.text.prose.voices import hiding
 
 G = 9.8
 

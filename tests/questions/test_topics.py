@@ -7,25 +7,10 @@ from typing import Literal
 import numpy as np
 import pytest
 
-from sim2reason.bodies.pendulums import Ball, Cord, FixedBall
-from sim2reason.bodies.planes import RoughTrack
-from sim2reason.bodies.round_bodies import Sphere
-from sim2reason.bodies.sliders import Block, Cart
-from sim2reason.bodies.spring import Coil, NailedSpring
-from sim2reason.datasets.certified import CertifiedQuestion
-from sim2reason.datasets.question_search import QuestionSearch
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.parts.pieces import BallPiece, RoundPiece
-from sim2reason.entities.parts.springs import Blow, Strained
-from sim2reason.entities.pendulums import Pendulum, RotationEntity
-from sim2reason.entities.projectile import Projectile
-from sim2reason.entities.spring_block import SpringBlock
-from sim2reason.entities.spring_chains import SpringMassChain
 from sim2reason.errors import TextError
-from sim2reason.parsing import parse_scene
-from sim2reason.prose.description import describe
-from sim2reason.quantities.subjects import Sense
+from sim2reason.generation.certified import CertifiedQuestion
+from sim2reason.generation.question_search import QuestionSearch
+from sim2reason.generation.recipes import RECIPES, difficulty_named
 from sim2reason.questions import MODES, Query, Question, Study, Target
 from sim2reason.questions.given import StatedResult
 from sim2reason.questions.kinds.equilibrium import EquilibriumQuery
@@ -36,8 +21,23 @@ from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.regimes.strings import StaysTaut
 from sim2reason.questions.topics import irrelevant
-from sim2reason.recipes import RECIPES, difficulty_named
+from sim2reason.scenes.bodies.pendulums import Ball, Cord, FixedBall
+from sim2reason.scenes.bodies.planes import RoughTrack
+from sim2reason.scenes.bodies.round_bodies import Sphere
+from sim2reason.scenes.bodies.sliders import Block, Cart
+from sim2reason.scenes.bodies.spring import Coil, NailedSpring
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.parts.pieces import BallPiece, RoundPiece
+from sim2reason.scenes.entities.parts.springs import Blow, Strained
+from sim2reason.scenes.entities.pendulums import Pendulum, RotationEntity
+from sim2reason.scenes.entities.projectile import Projectile
+from sim2reason.scenes.entities.spring_block import SpringBlock
+from sim2reason.scenes.entities.spring_chains import SpringMassChain
+from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.simulation.scenes import simulate
+from sim2reason.text.parsing import parse_scene
+from sim2reason.text.prose.description import describe
 
 G = 9.8
 LENGTH = 1.0

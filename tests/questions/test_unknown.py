@@ -4,10 +4,10 @@ from collections import Counter
 
 import numpy as np
 
-from sim2reason.prose.description import describe
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.unknown import some
-from sim2reason.scene_files import loads
+from sim2reason.scenes.files import loads
+from sim2reason.text.prose.description import describe
 
 SLOPES = """
 scene:

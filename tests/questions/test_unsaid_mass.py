@@ -4,18 +4,18 @@ import numpy as np
 import pytest
 
 from plain_scenes import ramp
-from sim2reason.bodies.planes import Plane
-from sim2reason.datasets.question_search import QuestionSearch
-from sim2reason.dsl.body import Body
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity, Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.template import either
-from sim2reason.filters import FILTERS, Candidate
-from sim2reason.prose.description import describe
+from sim2reason.generation.filters import FILTERS, Candidate
+from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.questions import MODES
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.targets import targets
+from sim2reason.scenes.bodies.planes import Plane
+from sim2reason.scenes.dsl.body import Body
+from sim2reason.scenes.dsl.builder import Frame
+from sim2reason.scenes.dsl.entity import Entity, Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.template import either
+from sim2reason.text.prose.description import describe
 
 MASSY = ("momentum", "energy", "force")
 

@@ -7,9 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from sim2reason.dsl.fields import Magnetic
 from sim2reason.errors import TextError
-from sim2reason.prose.description import describe
 from sim2reason.questions.following import FollowedMotion, motion_of
 from sim2reason.questions.posing import PosedQuestion, posed
 from sim2reason.questions.prompt import words_of
@@ -17,7 +15,9 @@ from sim2reason.questions.removal import removable
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.variation import variation
 from sim2reason.questions.words import Words
-from sim2reason.scene_files import load
+from sim2reason.scenes.dsl.fields import Magnetic
+from sim2reason.scenes.files import load
+from sim2reason.text.prose.description import describe
 
 SCENES = Path(__file__).parents[1] / "data" / "ordinary_scenes"
 G = 9.8

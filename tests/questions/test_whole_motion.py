@@ -7,8 +7,8 @@ import pytest
 
 from plain_scenes import G, atwood, ramp
 from sim2reason.datasets.solve import SolvedProblem, solve
-from sim2reason.dsl.scene import Scene
-from sim2reason.scene_files import load, loads
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.files import load, loads
 from sim2reason.solutions.solve import SAME
 
 SCENES = Path(__file__).parents[1] / "data" / "ordinary_scenes"

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.mechanism import Mechanism, X
 from sim2reason.errors import SimulationError
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.mechanism import Mechanism, X
 from sim2reason.simulation import budget
 from sim2reason.simulation.budget import Budget
 from sim2reason.simulation.engines.exact.flow import Flow

@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 
 import machines
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.mechanism import Mechanism, X
-from sim2reason.dsl.state import State
 from sim2reason.errors import SimulationError
-from sim2reason.quantities import QUANTITIES
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.mechanism import Mechanism, X
+from sim2reason.scenes.dsl.state import State
 from sim2reason.simulation import certify as module
 from sim2reason.simulation.certify import EVENTFUL, SMOOTH, Certificate, certify, compare, truncated
 from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.trace import ENGINES, Event, Trace
 from states import altered
 

@@ -8,9 +8,9 @@ import pytest
 
 import machines
 import motions
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.mechanism import Z
-from sim2reason.dsl.state import State
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.mechanism import Z
+from sim2reason.scenes.dsl.state import State
 from sim2reason.simulation.trace import ENGINES, Event, Trace
 from sim2reason.simulation.truncate import alarms, truncate
 from states import altered

@@ -6,28 +6,6 @@ from math import acos, asin, cos, cosh, degrees, exp, hypot, pi, radians, sin, s
 import numpy as np
 import pytest
 
-from sim2reason.bodies.charges import ChargedBead, Launched, Released
-from sim2reason.bodies.holed_bodies import BoredCylinder
-from sim2reason.bodies.pendulums import UniformRod
-from sim2reason.bodies.planes import Incline
-from sim2reason.bodies.sliders import Block
-from sim2reason.bodies.space import Planet, Star
-from sim2reason.bodies.spring import NailedSpring
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.em_entity import EmEntity
-from sim2reason.entities.parts.fields import ElectricField, Medium, Trend
-from sim2reason.entities.parts.fields.drag import LinearDrag, QuadraticDrag
-from sim2reason.entities.parts.fields.linear import LinearElectric
-from sim2reason.entities.parts.fields.time_dependent import OscillatingElectric
-from sim2reason.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
-from sim2reason.entities.parts.pieces import AxialPiece
-from sim2reason.entities.parts.rolling import Hole, NoSlipping
-from sim2reason.entities.pendulums import RotationEntity
-from sim2reason.entities.rolling import RollingEntity
-from sim2reason.entities.solar_system import SolarSystem
-from sim2reason.entities.spring_block import Launch, SpringBlock
-from sim2reason.quantities.subjects import Sense
 from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.kinds.equilibrium import EquilibriumQuery
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
@@ -38,6 +16,28 @@ from sim2reason.questions.moments.springs import MostCompressed, MostStretched, 
 from sim2reason.questions.moments.times import AtStart, AtTime, WholeMotion
 from sim2reason.questions.moments.turning_points import LowestPoint, Stopped
 from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.scenes.bodies.charges import ChargedBead, Launched, Released
+from sim2reason.scenes.bodies.holed_bodies import BoredCylinder
+from sim2reason.scenes.bodies.pendulums import UniformRod
+from sim2reason.scenes.bodies.planes import Incline
+from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.space import Planet, Star
+from sim2reason.scenes.bodies.spring import NailedSpring
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.em_entity import EmEntity
+from sim2reason.scenes.entities.parts.fields import ElectricField, Medium, Trend
+from sim2reason.scenes.entities.parts.fields.drag import LinearDrag, QuadraticDrag
+from sim2reason.scenes.entities.parts.fields.linear import LinearElectric
+from sim2reason.scenes.entities.parts.fields.time_dependent import OscillatingElectric
+from sim2reason.scenes.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
+from sim2reason.scenes.entities.parts.pieces import AxialPiece
+from sim2reason.scenes.entities.parts.rolling import Hole, NoSlipping
+from sim2reason.scenes.entities.pendulums import RotationEntity
+from sim2reason.scenes.entities.rolling import RollingEntity
+from sim2reason.scenes.entities.solar_system import SolarSystem
+from sim2reason.scenes.entities.spring_block import Launch, SpringBlock
+from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.solutions import solve
 from sim2reason.testing.solutions.faults import faults
 from sim2reason.testing.solutions.reading import read

@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 
 from sim2reason.datasets.items import made
-from sim2reason.datasets.request import Request
-from sim2reason.filters import FILTERS
+from sim2reason.generation.filters import FILTERS
+from sim2reason.generation.request import Request
+from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.questions.need import MEANINGS, Need
-from sim2reason.recipes import DIFFICULTIES
 from sim2reason.solutions import STRATEGIES, Solution, Step
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Root

@@ -8,20 +8,20 @@ from math import atan, cos, degrees, radians, sin, sqrt
 import pytest
 
 from plain_scenes import G, atwood, ramp
-from sim2reason.bodies.pendulums import Ball
-from sim2reason.datasets.question_search import QuestionSearch
-from sim2reason.datasets.random_scenes import generator
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.projectile import Projectile
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.generation.question_search import QuestionSearch
+from sim2reason.generation.random_scenes import generator
+from sim2reason.generation.recipes import RECIPES, difficulty_named
 from sim2reason.questions import MODES, Query, StatedResult, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.distances import Away
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.outcomes.sliding import Slides
-from sim2reason.recipes import RECIPES, difficulty_named
+from sim2reason.scenes.bodies.pendulums import Ball
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.projectile import Projectile
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
 from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.data import as_data

@@ -9,21 +9,21 @@ import numpy as np
 import pytest
 
 from plain_scenes import atwood, ramp, row
-from sim2reason.bodies.sliders import Block
-from sim2reason.bodies.spring import NailedSpring
-from sim2reason.datasets.certified import CertifiedQuestion
-from sim2reason.datasets.question_search import QuestionSearch
-from sim2reason.datasets.random_scenes import sample
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.spring_block import SpringBlock
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.generation.certified import CertifiedQuestion
+from sim2reason.generation.question_search import QuestionSearch
+from sim2reason.generation.random_scenes import sample
 from sim2reason.questions import MODES, Query, Study, Target
 from sim2reason.questions.kinds.comparison import ComparisonQuery
 from sim2reason.questions.kinds.parts.nested import stripped
 from sim2reason.questions.moments.times import AllAlong
 from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.need import ELEMENTARY
+from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.bodies.spring import NailedSpring
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.spring_block import SpringBlock
 from sim2reason.solutions import Solution, solve
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.closed_forms import closed_form

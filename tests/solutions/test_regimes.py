@@ -6,18 +6,18 @@ from math import cos, radians, sin
 import pytest
 
 from plain_scenes import row
-from sim2reason.bodies.pendulums import Ball
-from sim2reason.bodies.planes import Plane
-from sim2reason.bodies.sliders import Slab
-from sim2reason.bodies.space import LevelGround, Rocket
-from sim2reason.dsl.entity import Entity, Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.projectile import Projectile
-from sim2reason.entities.rocket_entity import RocketEntity
-from sim2reason.entities.stacked_mass_plane import StackedMassPlane
 from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.times import AtTime
+from sim2reason.scenes.bodies.pendulums import Ball
+from sim2reason.scenes.bodies.planes import Plane
+from sim2reason.scenes.bodies.sliders import Slab
+from sim2reason.scenes.bodies.space import LevelGround, Rocket
+from sim2reason.scenes.dsl.entity import Entity, Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.projectile import Projectile
+from sim2reason.scenes.entities.rocket_entity import RocketEntity
+from sim2reason.scenes.entities.stacked_mass_plane import StackedMassPlane
 from sim2reason.solutions import Setting, Solution, solve
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.algebra.functions import Power

@@ -7,15 +7,15 @@ from itertools import product
 import numpy as np
 import pytest
 
-from sim2reason.bodies.space import DeepSpace, LevelGround, Rocket, StartingPlace
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.rocket_entity import RocketEntity
 from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.moments.burned_out import BurnedOut
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import Stopped
+from sim2reason.scenes.bodies.space import DeepSpace, LevelGround, Rocket, StartingPlace
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.rocket_entity import RocketEntity
 from sim2reason.solutions import Solution, solve
 from sim2reason.solutions.solve import solve_prompt
 from sim2reason.testing.solutions.faults import faults

@@ -6,22 +6,22 @@ import numpy as np
 import pytest
 
 from plain_scenes import row
-from sim2reason.bodies.planes import Incline
-from sim2reason.bodies.round_bodies import Pipe
-from sim2reason.bodies.space import HeavyPlanet, Star
-from sim2reason.datasets.random_scenes import sample
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.parts.rolling import Rough
-from sim2reason.entities.rolling import RollingEntity
-from sim2reason.entities.solar_system import SolarSystem
-from sim2reason.prose.description import describe
+from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import MODES, Study
 from sim2reason.questions.prompt import words_of
-from sim2reason.recipes import RECIPES
+from sim2reason.scenes.bodies.planes import Incline
+from sim2reason.scenes.bodies.round_bodies import Pipe
+from sim2reason.scenes.bodies.space import HeavyPlanet, Star
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.parts.rolling import Rough
+from sim2reason.scenes.entities.rolling import RollingEntity
+from sim2reason.scenes.entities.solar_system import SolarSystem
 from sim2reason.simulation.engines.exact.engine import motion
 from sim2reason.solutions import STRATEGIES, Setting, by, solve
 from sim2reason.solutions.strategies import varying_acceleration
+from sim2reason.text.prose.description import describe
 from worked import asked
 
 SHARE = 0.01  # of the horizon

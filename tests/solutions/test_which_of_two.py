@@ -5,8 +5,8 @@ from functools import cache
 
 import pytest
 
-from sim2reason.datasets.item import Item
 from sim2reason.datasets.items import item
+from sim2reason.generation.item import Item
 from sim2reason.questions import KINDS
 from sim2reason.questions.choice_prompts import parse_choice
 from sim2reason.solutions import Solution, solve

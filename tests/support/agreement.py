@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from lagrangian.follow import Array, Phase, Record, follow
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.mechanism import Mechanism, X, Z
-from sim2reason.dsl.state import State
-from sim2reason.dsl.vectors import Tensor, Vector
+from sim2reason.scenes.dsl.builder import Frame
+from sim2reason.scenes.dsl.mechanism import Mechanism, X, Z
+from sim2reason.scenes.dsl.state import State
+from sim2reason.scenes.dsl.vectors import Tensor, Vector
 from sim2reason.simulation.certify import certify
 from sim2reason.simulation.trace import Event
 

@@ -10,9 +10,9 @@ from itertools import pairwise
 
 import numpy as np
 
-from sim2reason.dsl.frames import Frames
-from sim2reason.dsl.mechanism import ConstantTension, Elastic, Force, Inextensible, Line
-from sim2reason.dsl.state import Array, State
+from sim2reason.scenes.dsl.frames import Frames
+from sim2reason.scenes.dsl.mechanism import ConstantTension, Elastic, Force, Inextensible, Line
+from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.engines.exact import Motion
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(8)

@@ -4,13 +4,14 @@ from collections import Counter
 from collections.abc import Iterator
 from itertools import count
 
-from sim2reason.datasets.certified import CertifiedQuestion
-from sim2reason.datasets.question_search import QuestionSearch
-from sim2reason.datasets.random_scenes import generator, sample
-from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.generation.certified import CertifiedQuestion
+from sim2reason.generation.question_search import QuestionSearch
+from sim2reason.generation.random_scenes import generator, sample
+from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import MODES
-from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty
+from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty
+from sim2reason.scenes.dsl.scene import Scene
 
 CELLS = [(recipe, difficulty) for recipe in RECIPES for difficulty in DIFFICULTIES]
 

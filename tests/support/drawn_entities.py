@@ -4,9 +4,9 @@ import numpy as np
 
 import sim2reason
 from lone_entities import alone
-from sim2reason.dsl.entity import Entity
-from sim2reason.dsl.model import Choices, draw
 from sim2reason.errors import SceneError
+from sim2reason.scenes.dsl.entity import Entity
+from sim2reason.scenes.dsl.model import Choices, draw
 
 TRIES = 50
 

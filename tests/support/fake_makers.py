@@ -5,9 +5,9 @@ import os
 import time
 from dataclasses import replace
 
-from sim2reason.datasets.item import Answer, Binding, Distractor, FormulaRecord, Item, Provenance, QueryRecord
-from sim2reason.datasets.plan import Made
-from sim2reason.datasets.request import Request
+from sim2reason.generation.item import Answer, Binding, Distractor, FormulaRecord, Item, Provenance, QueryRecord
+from sim2reason.generation.made import Made
+from sim2reason.generation.request import Request
 
 BAD = 7  # the index of the item that goes wrong
 

@@ -2,14 +2,14 @@
 
 from math import cos, radians, sin
 
-from sim2reason.bodies.pendulums import Ball, LightRod
-from sim2reason.bodies.sliders import Block
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.connection import Connection
-from sim2reason.dsl.entity import Entity, Named
-from sim2reason.dsl.mechanism import X, Y
-from sim2reason.dsl.ports import Base, End, Mount
-from sim2reason.dsl.scene import Scene
+from sim2reason.scenes.bodies.pendulums import Ball, LightRod
+from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.dsl.builder import Frame
+from sim2reason.scenes.dsl.connection import Connection
+from sim2reason.scenes.dsl.entity import Entity, Named
+from sim2reason.scenes.dsl.mechanism import X, Y
+from sim2reason.scenes.dsl.ports import Base, End, Mount
+from sim2reason.scenes.dsl.scene import Scene
 
 LEANING = radians(30.0)
 

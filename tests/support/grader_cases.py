@@ -3,7 +3,7 @@
 import json
 from pathlib import Path
 
-from sim2reason.benchmarks.scoring import SCORINGS
+from sim2reason.evaluation.benchmarks.scoring import SCORINGS
 from sim2reason.grading import Outcome, Score, formula, number
 
 DATA = Path(__file__).parents[1] / "grading"

@@ -4,14 +4,14 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from sim2reason.connections.pivot import Pivot
-from sim2reason.connections.string import String
-from sim2reason.dsl.connection import Connection, Link
-from sim2reason.dsl.entity import ENTITIES, Entity, Named, outer_ports
-from sim2reason.dsl.model import Choice, draw
-from sim2reason.dsl.ports import Base, Mount, Pass, Port
-from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.state import Array
+from sim2reason.scenes.connections.pivot import Pivot
+from sim2reason.scenes.connections.string import String
+from sim2reason.scenes.dsl.connection import Connection, Link
+from sim2reason.scenes.dsl.entity import ENTITIES, Entity, Named, outer_ports
+from sim2reason.scenes.dsl.model import Choice, draw
+from sim2reason.scenes.dsl.ports import Base, Mount, Pass, Port
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.exact import simulate
 from sim2reason.simulation.trace import Trace
 

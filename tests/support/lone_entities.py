@@ -4,10 +4,10 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from sim2reason.dsl.entity import ENTITIES, Entity, Named
-from sim2reason.dsl.model import Choice, draw
-from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.state import Array
+from sim2reason.scenes.dsl.entity import ENTITIES, Entity, Named
+from sim2reason.scenes.dsl.model import Choice, draw
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.exact import simulate
 from sim2reason.simulation.trace import Trace
 

@@ -5,9 +5,9 @@ from math import cos, radians, sin
 
 import numpy as np
 
-from sim2reason.dsl.builder import Builder, Frame, Rim
-from sim2reason.dsl.mechanism import Mechanism, X, Y, Z
-from sim2reason.dsl.vectors import Vector, scale
+from sim2reason.scenes.dsl.builder import Builder, Frame, Rim
+from sim2reason.scenes.dsl.mechanism import Mechanism, X, Y, Z
+from sim2reason.scenes.dsl.vectors import Vector, scale
 
 
 def face(angle: float, side: float = 1.0) -> tuple[Vector, Vector]:

@@ -7,12 +7,12 @@ from math import cos, inf, pi, radians, sin, sqrt
 import numpy as np
 
 from plain_scenes import ramp
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.fields import Magnetic, Profile, Push
-from sim2reason.dsl.mechanism import ZERO, Mechanism, X, Y, Z
-from sim2reason.dsl.units import SI, UnitSystem
-from sim2reason.dsl.vectors import HalfSpace
 from sim2reason.questions import Study, Words
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.fields import Magnetic, Profile, Push
+from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism, X, Y, Z
+from sim2reason.scenes.dsl.units import SI, UnitSystem
+from sim2reason.scenes.dsl.vectors import HalfSpace
 from sim2reason.simulation.engines.exact import simulate
 
 G = 9.8

@@ -16,8 +16,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from sim2reason.dsl.mechanism import Inextensible, Mechanism
 from sim2reason.errors import SimulationError, UnsupportedError
+from sim2reason.scenes.dsl.mechanism import Inextensible, Mechanism
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.system import System
 from sim2reason.simulation.engines.exact.tape import Tape

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from sim2reason.dsl.builder import Builder, Frame, Rim
-from sim2reason.dsl.mechanism import ZERO, X, Y, Z
+from sim2reason.scenes.dsl.builder import Builder, Frame, Rim
+from sim2reason.scenes.dsl.mechanism import ZERO, X, Y, Z
 
 
 def hang(builder: Builder, rng: np.random.Generator, x: float, z: float, depth: int) -> str:

@@ -13,10 +13,10 @@ from curved_mechanisms import FAMILIES
 from random_mechanisms import pulleys, rough, table, wedges
 from scene_files import drawn
 from scene_files import spoiled as spoiled_file
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.scene import Scene
 from sim2reason.errors import Sim2ReasonError
-from sim2reason.scene_files import load
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.files import load
 from sim2reason.simulation.certify import witnessed
 from sim2reason.simulation.trace import ENGINES
 from spoiled_mechanisms import collapse, spoiled

@@ -7,14 +7,15 @@ from typing import Any
 import numpy as np
 import yaml
 
-from sim2reason.dsl.entity import ENTITIES
-from sim2reason.dsl.model import draw
-from sim2reason.dsl.scene import Scene
+from sim2reason.base.yaml_text import write
 from sim2reason.errors import SceneError
-from sim2reason.recipes import DIFFICULTIES, RECIPES
-from sim2reason.scene_files import dump, told
-from sim2reason.scene_files.tendons import directions
-from sim2reason.scene_files.yaml_text import write
+from sim2reason.generation.recipes import RECIPES
+from sim2reason.questions.difficulty import DIFFICULTIES
+from sim2reason.scenes.dsl.entity import ENTITIES
+from sim2reason.scenes.dsl.model import draw
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.files import dump, told
+from sim2reason.scenes.files.tendons import directions
 
 Rng = np.random.Generator
 REQUIRED = ("tail", "top")

@@ -4,9 +4,9 @@ import fcntl
 from collections.abc import Mapping
 from pathlib import Path
 
-from sim2reason.datasets.item import Item
-from sim2reason.datasets.make import make
-from sim2reason.datasets.request import Request
+from sim2reason.generation.item import Item
+from sim2reason.generation.make import make
+from sim2reason.generation.request import Request
 
 SEED = 77
 NONE = "null"

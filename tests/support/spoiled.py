@@ -8,15 +8,15 @@ from typing import Annotated, Any, ClassVar
 
 from annotated_types import Len
 
-from sim2reason.bodies.sliders import Block
-from sim2reason.dsl.body import Body
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import ENTITIES, Entity
-from sim2reason.dsl.fields import Profile, Push
-from sim2reason.dsl.measures import Count, Hidden, Length, Mass, Measure, Range
-from sim2reason.dsl.mechanism import X, Y, Z
-from sim2reason.dsl.template import Saying, either
-from sim2reason.dsl.vectors import Maths, Number, Triple, Vector, times
+from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.dsl.body import Body
+from sim2reason.scenes.dsl.builder import Frame
+from sim2reason.scenes.dsl.entity import ENTITIES, Entity
+from sim2reason.scenes.dsl.fields import Profile, Push
+from sim2reason.scenes.dsl.measures import Count, Hidden, Length, Mass, Measure, Range
+from sim2reason.scenes.dsl.mechanism import X, Y, Z
+from sim2reason.scenes.dsl.template import Saying, either
+from sim2reason.scenes.dsl.vectors import Maths, Number, Triple, Vector, times
 
 Thrust = Annotated[float, Measure("force", "N", "F"), Range(1.0, 9.0)]
 

@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 
 from curved_mechanisms import FAMILIES
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.fields import Central
-from sim2reason.dsl.mechanism import ZERO, Elastic, Inextensible, Mechanism, X, Z
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.fields import Central
+from sim2reason.scenes.dsl.mechanism import ZERO, Elastic, Inextensible, Mechanism, X, Z
 
 Rng = np.random.Generator
 Spoil = Callable[[Mechanism, Rng], Mechanism]

@@ -1,7 +1,7 @@
 """A block on a smooth slope of 18°, held by a spring at its foot and pulled up by a load over a heavy pulley."""
 
 from sim2reason import load
-from sim2reason.dsl.scene import Scene
+from sim2reason.scenes.dsl.scene import Scene
 
 TEXT = """
 scene:

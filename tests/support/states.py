@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from sim2reason.dsl.state import Array, Dynamics, State
+from sim2reason.scenes.dsl.state import Array, Dynamics, State
 
 
 def altered(state: State, **changes: Array | Mapping[str, Array]) -> State:

@@ -4,16 +4,16 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from sim2reason.dsl.entity import Entity, Named
-from sim2reason.dsl.model import draw
-from sim2reason.dsl.scene import Scene
 from sim2reason.errors import DrawError, SceneError, TextError
-from sim2reason.parsing import parse_scene
-from sim2reason.parsing.equivalence import Signature, signature
-from sim2reason.parsing.tokens import pieces
-from sim2reason.prose.description import Description, describe
-from sim2reason.scene_files import dump, load
+from sim2reason.scenes.dsl.entity import Entity, Named
+from sim2reason.scenes.dsl.model import draw
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.files import dump, load
 from sim2reason.simulation.scenes import certify
+from sim2reason.text.parsing import parse_scene
+from sim2reason.text.parsing.equivalence import Signature, signature
+from sim2reason.text.parsing.tokens import pieces
+from sim2reason.text.prose.description import Description, describe
 
 
 def scene_of(entity: Entity) -> Scene:

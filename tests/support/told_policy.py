@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from pydantic import Field, PrivateAttr
 
-from sim2reason.policies import Completion, Policy, SampleRequest
+from sim2reason.evaluation.policies import Completion, Policy, SampleRequest
 
 
 class Told(Policy):

@@ -8,17 +8,17 @@ from functools import cache
 from pathlib import Path
 from typing import cast
 
-from sim2reason.datasets.question_search import QuestionSearch
-from sim2reason.datasets.random_scenes import generator
-from sim2reason.dsl.entity import Entity, Named
-from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.generation.question_search import QuestionSearch
+from sim2reason.generation.random_scenes import generator
+from sim2reason.generation.recipes import RECIPES, difficulty_named
 from sim2reason.questions import MODES, Formula, Query
 from sim2reason.questions.parse_prompt import ParsedPrompt, parse_prompt
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.part_prompts import parse_parts
 from sim2reason.questions.spoken import spoken_of
-from sim2reason.recipes import RECIPES, difficulty_named
+from sim2reason.scenes.dsl.entity import Entity, Named
+from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.solutions import Setting, Solution, solve
 from sim2reason.solutions.multipart.in_sequence import in_sequence
 from sim2reason.solutions.parts import together

@@ -2,7 +2,7 @@
 
 import pytest
 
-from sim2reason.dsl.entity import ENTITIES
+from sim2reason.scenes.dsl.entity import ENTITIES
 from sim2reason.testing import check_entity
 
 

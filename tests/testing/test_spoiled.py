@@ -3,8 +3,8 @@
 import pytest
 
 from plain_scenes import ramp
-from sim2reason.dsl.entity import Entity
-from sim2reason.scene_files import dump, load
+from sim2reason.scenes.dsl.entity import Entity
+from sim2reason.scenes.files import dump, load
 from sim2reason.testing import CHECKS, ConformanceError, Finding, check_entity, conformance, specimen
 from spoiled import (
     Alias,

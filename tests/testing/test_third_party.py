@@ -68,9 +68,9 @@ def test_its_recipe_gives_scenes_and_items(run: Run) -> None:
 
 CONFORMS = """
 import sim2reason
-from sim2reason.dsl.entity import ENTITIES
+from sim2reason.scenes.dsl.entity import ENTITIES
 from sim2reason.testing import check_entity
-from sim2reason.dsl.choices import closers
+from sim2reason.scenes.dsl.choices import closers
 
 cls = ENTITIES["HorseAndSledge"]
 check_entity(cls, seeds=range(3))

@@ -7,8 +7,8 @@ from typing import Any
 
 import pytest
 
+from sim2reason.datasets.exports import EXPORTS
 from sim2reason.errors import DatasetError, UnknownNameError
-from sim2reason.exports import EXPORTS
 from sim2reason.questions import MODES
 from sim2reason.rewards import compute_score
 from sim2reason.training.lazy_rows import LazyRows, LazySettings

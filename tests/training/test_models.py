@@ -8,11 +8,12 @@ from pathlib import Path
 
 import pytest
 
-from sim2reason.datasets.random_scenes import sample
 from sim2reason.errors import MissingExtraError, TrainingError, UnknownNameError
-from sim2reason.policies import SampleRequest, policy_from
-from sim2reason.prose.description import describe
-from sim2reason.recipes import DIFFICULTIES, RECIPES
+from sim2reason.evaluation.policies import SampleRequest, policy_from
+from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.recipes import RECIPES
+from sim2reason.questions.difficulty import DIFFICULTIES
+from sim2reason.text.prose.description import describe
 from sim2reason.training.models import model_from
 from sim2reason.training.models.parts import tokenizer as tokenizers
 

@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from sim2reason.benchmarks import BenchmarkItem
 from sim2reason.errors import TrainingError
+from sim2reason.evaluation.benchmarks import BenchmarkItem
 from sim2reason.training.curriculum import Curriculum
 from sim2reason.training.prefetch import prefetching
 from sim2reason.training.problem import Problem

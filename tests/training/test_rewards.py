@@ -2,9 +2,9 @@
 
 import pytest
 
-from sim2reason.benchmarks.own import benchmark_item
 from sim2reason.datasets.items import item
 from sim2reason.errors import TrainingError, UnknownNameError
+from sim2reason.evaluation.benchmarks.own import benchmark_item
 from sim2reason.training.problem import Problem
 from sim2reason.training.rewards import REWARDS, Reward, reward_from, reward_function
 

@@ -11,9 +11,9 @@ from pydantic import PrivateAttr
 import sim2reason
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.generate import generate
-from sim2reason.datasets.solvable import solvable
 from sim2reason.errors import DatasetError, EvaluationError, PolicyError, TrainingError
-from sim2reason.policies import Completion, Policy, SampleRequest
+from sim2reason.evaluation.policies import Completion, Policy, SampleRequest
+from sim2reason.evaluation.solvable import solvable
 from sim2reason.training.corpora import corpus_from
 from sim2reason.training.sample_solutions import sample_solutions
 

@@ -15,8 +15,8 @@ from typing import Any, NoReturn
 
 import click
 
+from sim2reason.base.registry import nearest
 from sim2reason.cli import console, interrupts, streams
-from sim2reason.registry import nearest
 
 HERE = Path(__file__).parent
 EXIT_INPUT, EXIT_INTERRUPTED, EXIT_PIPE = 2, 130, 141

@@ -44,7 +44,7 @@ def command(scene: Path, mode: str | tuple[str, ...], items: int, seed: int, all
 
 def _explain(result: "AskedScene", items: int, *, all: bool) -> None:  # noqa: A002
     """Print how many questions were found, and a table of the reasons that refused others, each in words."""
-    from sim2reason.registries import members
+    from sim2reason.base.registries import members
 
     if result.reason:
         console.explain(f"sim2reason: there is nothing to ask: {result.reason}")

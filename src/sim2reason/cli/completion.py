@@ -40,8 +40,8 @@ def moments(ctx: click.Context, param: click.Parameter, incomplete: str) -> list
 
 
 def _words(ctx: click.Context) -> "Words | None":
-    from sim2reason.prose.description import describe
     from sim2reason.questions.prompt import words_of
+    from sim2reason.text.prose.description import describe
 
     path = ctx.params.get("scene") or next(iter(ctx.args), None)  # click leaves it there while an option has no value
     with suppress(Sim2ReasonError, OSError):

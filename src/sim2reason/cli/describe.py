@@ -5,7 +5,7 @@ from pathlib import Path
 import click
 
 from sim2reason.cli import options, source
-from sim2reason.prose.voices import VoiceName
+from sim2reason.text.prose.voices import VoiceName
 
 EXAMPLE = """\b
 Example:
@@ -22,6 +22,6 @@ Example:
 @options.seed("Another seed, other words.")
 def command(scene: Path, voice: VoiceName, hide: tuple[str, ...], seed: int) -> None:
     """Tell the scene in the file SCENE, or on standard input if it is -."""
-    from sim2reason.prose.description import describe
+    from sim2reason.text.prose.description import describe
 
     click.echo(describe(source.scene(scene), seed, voice, hide=hide).text)

@@ -63,8 +63,8 @@ def command() -> None:
 @click.option("--json", "to_json", is_flag=True, help="Print the report for a program to read.")
 def run(config: Path, out: Path | None, to_json: bool) -> int:
     """Run CONFIG; `eval CONFIG` is the same."""
-    from sim2reason.benchmarks.runs.config import evaluation_from
-    from sim2reason.reports.evaluation import Evaluated, evaluate
+    from sim2reason.evaluation.benchmarks.runs.config import evaluation_from
+    from sim2reason.evaluation.reports.evaluation import Evaluated, evaluate
 
     evaluation = evaluation_from(config, out)
     remedy = f"what is finished stays in {evaluation.out}; give the same command again to go on"
@@ -89,7 +89,7 @@ def run(config: Path, out: Path | None, to_json: bool) -> int:
 @click.option("--json", "to_json", is_flag=True, help="For a program to read.")
 def compare_command(first: str, second: str, out: Path | None, to_json: bool) -> None:
     """Compare the policies of two runs, FIRST and SECOND, on the same problems; RUN:POLICY where a run has several."""
-    from sim2reason.reports.comparison import HEAD, compare, rows
+    from sim2reason.evaluation.reports.comparison import HEAD, compare, rows
 
     found = compare(first, second, out)
     if to_json:
@@ -112,7 +112,7 @@ def compare_command(first: str, second: str, out: Path | None, to_json: bool) ->
 @click.option("--json", "to_json", is_flag=True, help="For a program to read.")
 def correlate_command(runs: tuple[Path, ...], across: str | None, up: str, out: Path | None, to_json: bool) -> None:
     """Correlate, across the models of RUNS, accuracy on our problems with that on others: Spearman's ρ."""
-    from sim2reason.reports.correlation import correlate, told
+    from sim2reason.evaluation.reports.correlation import correlate, told
 
     found = correlate(runs, across, console.words(up) if up else (), out)
     if to_json:
@@ -135,7 +135,7 @@ def correlate_command(runs: tuple[Path, ...], across: str | None, up: str, out: 
 def solvable_command(dataset: Path, policy: Path, k: int, between: str, seed: int, out: Path, to_json: bool) -> None:
     """Keep the problems of DATASET that a policy solves sometimes, neither never nor always."""
     from sim2reason.datasets.dataset import Dataset
-    from sim2reason.datasets.solvable import solvable
+    from sim2reason.evaluation.solvable import solvable
 
     total, bounds = len(Dataset(dataset)) * k, _bounds(between)
     remedy = f"what is finished stays in {out}; give the same command again to go on"

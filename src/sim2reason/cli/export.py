@@ -8,7 +8,7 @@ import click
 from sim2reason.cli import console, options
 
 if TYPE_CHECKING:
-    from sim2reason.exports.parts.export import Parts
+    from sim2reason.datasets.exports.parts.export import Parts
 
 EXAMPLE = """\b
 Example:
@@ -44,8 +44,8 @@ Exit code 0: written; 2: wrong input, or a folder that is not empty.
 def command(dataset: Path, to: str, out: Path, split: options.Names, parts: "Parts", to_json: bool) -> None:
     """Write the DATASET as another library reads it, into a folder of its own."""
     from sim2reason.datasets.dataset import Dataset
-    from sim2reason.exports import EXPORTS
-    from sim2reason.exports.parts.export import export
+    from sim2reason.datasets.exports import EXPORTS
+    from sim2reason.datasets.exports.parts.export import export
 
     lacks, counts = EXPORTS[to].lacks, Dataset(dataset).manifest.counts.get("split", {})
     chosen = counts if split == options.ALL else split

@@ -25,7 +25,7 @@ def command(scene: Path, out: Path, numbers: bool, seed: int | None) -> None:
     """Draw the initial state of the scene in the file SCENE (- is standard input) as a line drawing."""
     from sim2reason.figures.canvas import check
     from sim2reason.figures.scenes import figure
-    from sim2reason.scene_files import wording_of
+    from sim2reason.scenes.files import wording_of
 
     check(out)
     content = source.text(scene)

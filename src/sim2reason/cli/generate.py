@@ -13,8 +13,8 @@ from sim2reason.datasets.generate import ITEMS, Order, configured, files_to_avoi
 from sim2reason.datasets.manifest import Manifest
 from sim2reason.datasets.places import HERE, PATIENCE
 from sim2reason.datasets.plan import DISTANCE, LARGEST_SHARD, LICENSE, MAKER, SHARD
-from sim2reason.datasets.request import LARGEST
 from sim2reason.datasets.worker import Attempt
+from sim2reason.generation.request import LARGEST
 
 EXAMPLE = """\b
 Example:

@@ -30,7 +30,7 @@ def command(scene: Path, out: Path, duration: float | None, engine: str, seed: i
     """Plot the motion of the scene in the file SCENE (- is standard input)."""
     from sim2reason.figures.canvas import check
     from sim2reason.figures.scenes import plot
-    from sim2reason.scene_files import wording_of
+    from sim2reason.scenes.files import wording_of
 
     check(out)
     content = source.text(scene)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import click
 
 if TYPE_CHECKING:
-    from sim2reason.datasets.item import Item
+    from sim2reason.generation.item import Item
 
 WIDTH = 88
 

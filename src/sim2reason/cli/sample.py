@@ -38,7 +38,7 @@ def command(
 ) -> None:
     """Draw a random scene: that of the problem of the same recipe, difficulty, mode, seed and index."""
     from sim2reason.datasets.items import sample
-    from sim2reason.scene_files import dump
+    from sim2reason.scenes.files import dump
 
     scene = sample(recipe, difficulty, mode, seed=seed, index=index, weights=weights, tolerance=tolerance, needs=needs)
     results.tell(dump(scene), out)

@@ -27,9 +27,9 @@ Put this line on top of a scene file, and editors that know YAML check and compl
 @options.out("Where to write it; standard output if left out.")
 def command(page: bool, reference: bool, out: Path | None) -> None:
     """Write the JSON schema of scene files: entities, parameters, ranges of validity and units."""
-    from sim2reason.datasets.question_page import format_page as format_questions
-    from sim2reason.scene_files.page import format_page
-    from sim2reason.scene_files.schema import schema
+    from sim2reason.generation.question_page import format_page as format_questions
+    from sim2reason.scenes.files.page import format_page
+    from sim2reason.scenes.files.schema import schema
 
     if page and reference:
         raise click.UsageError("give --page or --reference, one of the two.")

@@ -81,7 +81,7 @@ def run(
     content: str, engine: str, duration: float | None, samples: int, out: Path | None, truncate: bool = False
 ) -> Summary:
     """Simulate the scene of a text, in a worker process; write the trace to `out`."""
-    from sim2reason.scene_files import loads
+    from sim2reason.scenes.files import loads
     from sim2reason.simulation import scenes, trace_files
     from sim2reason.simulation.trace import ending
     from sim2reason.simulation.truncate import truncate as truncated
@@ -162,7 +162,7 @@ def _tell(found: Summary) -> None:
 
 
 def _row(found: Summary) -> list[str]:
-    from sim2reason.dsl.measures import show_unit
+    from sim2reason.scenes.dsl.measures import show_unit
 
     return [found["subject"], found["quantity"], _number(found["value"]), show_unit(found["unit"])]
 

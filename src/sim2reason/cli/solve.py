@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from sim2reason.cli import completion, console, options, source
-from sim2reason.dsl.measures import join_unit, show_unit
-from sim2reason.scene_files import question_of
+from sim2reason.scenes.dsl.measures import join_unit, show_unit
+from sim2reason.scenes.files import question_of
 
 if TYPE_CHECKING:
     from sim2reason.datasets.solve import SolvedProblem

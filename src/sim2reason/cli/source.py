@@ -3,10 +3,10 @@
 import sys
 from pathlib import Path
 
-from sim2reason.dsl.scene import Scene
+from sim2reason.base.yaml_text import MAX_BYTES
 from sim2reason.errors import SceneError
-from sim2reason.scene_files import decoded, loads
-from sim2reason.scene_files.yaml_text import MAX_BYTES
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.files import decoded, loads
 
 STDIN = Path("-")
 

@@ -23,7 +23,7 @@ Example:
 def command(dataset: Path, to_json: bool) -> None:
     """Count what the DATASET holds: its problems, the draws refused for them, lengths of prompts, answers by unit."""
     from sim2reason.datasets.stats import stats
-    from sim2reason.dsl.measures import show_unit
+    from sim2reason.scenes.dsl.measures import show_unit
 
     found = stats(dataset)
     if to_json:

@@ -114,8 +114,8 @@ def sft_command(config: Path, out: Path | None, until: str | None, to_json: bool
 @click.option("--json", "to_json", is_flag=True, help="Print the result for a program to read.")
 def rl_command(config: Path, out: Path | None, until: "Stage | None", to_json: bool) -> None:
     """Train a model on problems by GSPO with our grader as the reward, as the file CONFIG says; needs [train]."""
-    from sim2reason.reports.held_out import answer_before, report_training
     from sim2reason.training.extras import is_main_process, quiet
+    from sim2reason.training.reports.held_out import answer_before, report_training
     from sim2reason.training.rl.config import reinforcement_learning_from
     from sim2reason.training.rl.run import prepare_rl, train_rl
 
@@ -157,7 +157,7 @@ def rl_command(config: Path, out: Path | None, until: "Stage | None", to_json: b
 @click.option("--json", "to_json", is_flag=True, help="Print what came of each run for a program to read.")
 def study_command(config: Path, out: Path | None, until: "Stage | None", to_json: bool) -> None:
     """Train by `train rl` in several arms and with several seeds, as the file CONFIG says; needs [train]."""
-    from sim2reason.reports.study import report_study
+    from sim2reason.training.reports.study import report_study
     from sim2reason.training.study.config import study_from
     from sim2reason.training.study.run import prepare_study, train_study
 

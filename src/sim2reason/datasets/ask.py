@@ -5,21 +5,21 @@ from collections.abc import Hashable
 from dataclasses import dataclass, field
 from itertools import islice
 
-from sim2reason.datasets.certified import CertifiedQuestion
-from sim2reason.datasets.forms import formed
-from sim2reason.datasets.item import Item
-from sim2reason.datasets.make import item_of
 from sim2reason.datasets.names import modes_named
 from sim2reason.datasets.plan import Names
-from sim2reason.datasets.question_search import QuestionSearch
-from sim2reason.datasets.random_scenes import generator
-from sim2reason.datasets.request import Request
-from sim2reason.datasets.splits import problem
-from sim2reason.dsl.scene import Scene
+from sim2reason.generation.certified import CertifiedQuestion
+from sim2reason.generation.forms import formed
+from sim2reason.generation.item import Item
+from sim2reason.generation.make import item_of
+from sim2reason.generation.question_search import QuestionSearch
+from sim2reason.generation.random_scenes import generator
+from sim2reason.generation.request import Request
+from sim2reason.generation.splits import problem
 from sim2reason.questions import MODES, Question
 from sim2reason.questions.following import eventful, motion_of
 from sim2reason.questions.kinds.threshold import ThresholdQuery
-from sim2reason.scene_files import SceneLike, scene_of
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.files import SceneLike, scene_of
 from sim2reason.simulation.trace import ending
 
 QUESTIONS = 5

@@ -14,9 +14,9 @@ from itertools import groupby
 from pathlib import Path
 from typing import cast
 
-from sim2reason.datasets.atomic_files import checksum
-from sim2reason.datasets.item import Record
+from sim2reason.base.atomic_files import checksum
 from sim2reason.errors import DatasetError
+from sim2reason.generation.item import Record
 
 LARGEST_FILE = 2**30  # bytes
 LARGEST_PART = 2**25  # bytes of what is read at once: a whole .json, a line of text or .jsonl, a group of Parquet rows

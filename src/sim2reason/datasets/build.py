@@ -6,7 +6,7 @@ from functools import partial
 from pathlib import Path
 from typing import TypedDict, Unpack
 
-from sim2reason.datasets.atomic_files import FOLDER, LOCK, locked
+from sim2reason.base.atomic_files import FOLDER, LOCK, locked
 from sim2reason.datasets.contamination import Benchmarks
 from sim2reason.datasets.finish import finish
 from sim2reason.datasets.journal import Journal, RunPlan
@@ -115,7 +115,7 @@ def _standing(out: Path, config: Config) -> Manifest | None:
 def _folder(out: Path | str, config: Config) -> Path:
     """Return the folder, made if it is not there, once the configuration makes sense."""
     if config.weights and config.maker == MAKER:
-        from sim2reason.datasets.weights import check  # noqa: PLC0415 - it loads what else only workers need
+        from sim2reason.generation.weights import check  # noqa: PLC0415 - it loads what else only workers need
 
         check(config.weights, config.modes, config.recipes)
     out = Path(out)

@@ -14,7 +14,7 @@ from sim2reason.datasets.histograms import SHOWN
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest
 from sim2reason.datasets.pictures import of_example, of_histogram
 from sim2reason.datasets.plan import DATA, DISTANCE, LICENSE, TRAIN, Config
-from sim2reason.datasets.request import SI
+from sim2reason.generation.request import SI
 from sim2reason.questions.tolerance import TOLERANCE
 
 SIZES = (

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator
 from math import ceil, log
 
-from sim2reason.datasets.item import Record
+from sim2reason.generation.item import Record
 
 LEAST_KEPT = 0.25
 """The share of the questions asked for in a cell that a sound library keeps as such, at least."""

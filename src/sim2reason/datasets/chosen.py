@@ -5,9 +5,9 @@ from typing import Annotated
 
 from pydantic import AfterValidator, BaseModel
 
+from sim2reason.base.settings import held_to
 from sim2reason.datasets.names import difficulties_named, modes_named, recipes_named
 from sim2reason.datasets.plan import ALL
-from sim2reason.policies.parts.settings import held_to
 
 __all__ = ["Chosen"]
 

@@ -16,8 +16,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from sim2reason.datasets.item import Item
 from sim2reason.datasets.variants import Logarithms, Variants, hashed, holds, too_close, twice, variant
+from sim2reason.generation.item import Item
 
 Table = NDArray[np.uint64]
 POSITION, PROBLEM, COUNT, OWN = 0, 1, 2, 3

@@ -4,10 +4,10 @@ import warnings
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from sim2reason.datasets.item import Item
 from sim2reason.datasets.plan import MAKER, Config
-from sim2reason.datasets.request import Request
 from sim2reason.errors import FigureWarning, MissingExtraError, Sim2ReasonError
+from sim2reason.generation.item import Item
+from sim2reason.generation.request import Request
 
 EXAMPLES = 6
 VARIED = "recipe", "kind", "difficulty", "mode", "shape"
@@ -48,9 +48,9 @@ def example(item: Item, config: Config) -> Example:
 
 def _made_again(item: Item) -> tuple[str, bytes | None]:
     """The worked solution and the figure of an item of the library's own maker: both need more than items keep."""
-    from sim2reason.datasets.item_search import ItemSearch  # noqa: PLC0415 - it loads what else only workers need
-    from sim2reason.datasets.worked_solutions import recorded, worked  # noqa: PLC0415 - the same
     from sim2reason.figures import canvas, drawing  # noqa: PLC0415 - the same
+    from sim2reason.generation.item_search import ItemSearch  # noqa: PLC0415 - it loads what else only workers need
+    from sim2reason.generation.worked_solutions import recorded, worked  # noqa: PLC0415 - the same
 
     request = Request.of(item)
     found = ItemSearch(request).found()

@@ -6,17 +6,17 @@ from pathlib import Path
 from textwrap import indent
 from typing import TypeVar
 
-from sim2reason.datasets.certified import CertifiedQuestion
 from sim2reason.datasets.dataset import Dataset
-from sim2reason.datasets.item import Item
-from sim2reason.datasets.item_search import ItemSearch
-from sim2reason.datasets.make import item_of
-from sim2reason.datasets.request import Request
-from sim2reason.datasets.worked_solutions import worked
 from sim2reason.errors import DatasetError
 from sim2reason.figures import canvas
 from sim2reason.figures.drawing import drawing
-from sim2reason.filters import in_order
+from sim2reason.generation.certified import CertifiedQuestion
+from sim2reason.generation.filters import in_order
+from sim2reason.generation.item import Item
+from sim2reason.generation.item_search import ItemSearch
+from sim2reason.generation.make import item_of
+from sim2reason.generation.request import Request
+from sim2reason.generation.worked_solutions import worked
 from sim2reason.grading.parts import LABELS
 from sim2reason.simulation import trace_files
 

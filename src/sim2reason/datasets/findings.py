@@ -3,13 +3,13 @@
 from collections.abc import Collection, Iterator
 from pathlib import Path
 
+from sim2reason.base.atomic_files import FOLDER, checksum
+from sim2reason.base.record import counted
 from sim2reason.datasets import store
-from sim2reason.datasets.atomic_files import FOLDER, checksum
-from sim2reason.datasets.item import Record
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, ShardFile, load, shards
 from sim2reason.datasets.plan import DATA, file_name
 from sim2reason.errors import DatasetError
-from sim2reason.record import counted
+from sim2reason.generation.item import Record
 
 
 class Findings(Record):

@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
+from sim2reason.base.atomic_files import checksum, put, put_text
 from sim2reason.datasets import card, shard_files
-from sim2reason.datasets.atomic_files import checksum, put, put_text
 from sim2reason.datasets.cells import Cell, together
 from sim2reason.datasets.examples import chosen, example
 from sim2reason.datasets.histograms import Counted

@@ -9,15 +9,14 @@ from typing import IO, NamedTuple, cast
 from pydantic import BaseModel, JsonValue, ValidationError
 
 from sim2reason.datasets.dataset import Dataset, shortened
-from sim2reason.datasets.item import Answer, Item
 from sim2reason.datasets.plan import ALL, Names
 from sim2reason.datasets.rows import ItemRow, NamedRow, answer_of
 from sim2reason.errors import DatasetError
-from sim2reason.grading import Outcome, Score, choice, formula, number, opened, parts
-from sim2reason.grading.parts import Grader
-from sim2reason.questions.choice_prompts import LETTERS
+from sim2reason.generation.grade_answer import grade_answer
+from sim2reason.generation.item import Item
+from sim2reason.grading import Outcome, Score, opened
 
-__all__ = ["GradedResponse", "Response", "Tallies", "Tally", "grade", "grade_answer", "graded", "line", "responses"]
+__all__ = ["GradedResponse", "Response", "Tallies", "Tally", "grade", "graded", "line", "responses"]
 
 LONGEST_LINE = 2**27  # bytes
 TOGETHER = 2000, 2**23  # responses that are graded together, at most, and the bytes of their lines
@@ -82,27 +81,6 @@ def grade(
     answer = item.answer if isinstance(item, Item) else answer_of(item)
     said = opened(response) if thinking_opened else response
     return grade_answer(answer, said, lenient=lenient, partial=partial)
-
-
-def grade_answer(answer: Answer, response: object, *, lenient: bool = False, partial: bool = False) -> Score:
-    """Grade a response by the answer alone, as the rows of exports have it; see `grade`."""
-    if answer.parts:
-        return parts(response, [_grader(part) for part in answer.parts], partial=partial)
-    if answer.letter:
-        letters = LETTERS[: len(answer.options)]
-        if answer.texts:
-            return choice(response, answer.letter, letters, texts=answer.texts)
-        return choice(response, answer.letter, letters, answer.options, answer.unit)
-    if answer.formula is not None:
-        held = answer.formula
-        return formula(response, held.latex, held.points, symbols=held.symbols, positive=answer.sign)
-    return number(
-        response, answer.value, answer.unit, tolerance=answer.tolerance, positive=answer.sign, lenient=lenient
-    )
-
-
-def _grader(answer: Answer) -> Grader:
-    return lambda response: grade_answer(answer, response)
 
 
 def graded(

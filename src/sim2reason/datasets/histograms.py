@@ -4,10 +4,10 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from math import floor, log10
 
-from sim2reason.datasets.item import Item
 from sim2reason.figures.histogram import Histogram
+from sim2reason.generation.item import Item
+from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.questions.need import NEEDS
-from sim2reason.recipes import DIFFICULTIES
 
 WORDS, MOST_WORDS = 10, 500  # in a bin, and from which on all are in the last one
 Counted = dict[str, dict[str, int]]

@@ -5,9 +5,9 @@
 
 from pathlib import Path
 
+from sim2reason.base.optional import optional
 from sim2reason.datasets.findings import found
 from sim2reason.errors import DatasetError
-from sim2reason.optional import optional
 
 SHOWN = 300  # characters of what the hub's library says about an error
 IGNORED = "**/.*", ".*"

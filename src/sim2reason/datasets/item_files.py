@@ -5,10 +5,10 @@ from itertools import accumulate
 from pathlib import Path
 from typing import Any, overload
 
+from sim2reason.base.optional import optional
 from sim2reason.datasets import shard_files, store
-from sim2reason.datasets.item import Item
 from sim2reason.datasets.manifest import ShardFile
-from sim2reason.optional import optional
+from sim2reason.generation.item import Item
 
 __all__ = ["ItemFiles"]
 

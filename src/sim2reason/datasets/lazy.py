@@ -3,11 +3,12 @@
 from dataclasses import replace
 
 from sim2reason.datasets.contamination import Benchmarks
-from sim2reason.datasets.item import Item
-from sim2reason.datasets.plan import TRAIN, Config, load_maker
-from sim2reason.datasets.request import Request
-from sim2reason.datasets.splits import split_of
+from sim2reason.datasets.plan import TRAIN, Config
 from sim2reason.errors import DatasetError, DrawError
+from sim2reason.generation.item import Item
+from sim2reason.generation.made import load_maker
+from sim2reason.generation.request import Request
+from sim2reason.generation.splits import split_of
 
 __all__ = ["MOST", "LazyProblems"]
 

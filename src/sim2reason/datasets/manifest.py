@@ -9,13 +9,13 @@ from typing import Literal, get_args
 
 from pydantic import Field, ValidationError
 
-from sim2reason.datasets.atomic_files import canonical
+from sim2reason.base.atomic_files import canonical
 from sim2reason.datasets.cells import Cell, empty
 from sim2reason.datasets.histograms import Counted
-from sim2reason.datasets.item import Record
 from sim2reason.datasets.plan import Config
-from sim2reason.datasets.request import Request
 from sim2reason.errors import DatasetError
+from sim2reason.generation.item import Record
+from sim2reason.generation.request import Request
 
 MANIFEST, SHARDS = "manifest.json", "shards.jsonl"
 FIRST = 20  # of the refused positions that the manifest itself names; all stand beside their shards

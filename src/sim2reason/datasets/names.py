@@ -2,9 +2,10 @@
 
 from sim2reason.datasets.plan import ALL, Names, several
 from sim2reason.errors import UnknownNameError
+from sim2reason.generation.recipes import RECIPES, all_recipes, difficulty_named
 from sim2reason.questions import MODES
+from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty
 from sim2reason.questions.need import NEEDS, Need
-from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty, all_recipes, difficulty_named
 
 
 def recipes_named(names: Names, *, check: bool = True) -> tuple[str, ...]:

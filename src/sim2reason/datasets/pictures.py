@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
-from sim2reason.datasets.atomic_files import checksum, put
+from sim2reason.base.atomic_files import checksum, put
 from sim2reason.datasets.examples import Example
 from sim2reason.datasets.histograms import SHOWN, Counted, histogram
 from sim2reason.errors import MissingExtraError

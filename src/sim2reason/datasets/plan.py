@@ -2,14 +2,8 @@
 
 import hashlib
 import json
-import platform
 import re
-import sys
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
-from functools import cache
-from importlib import import_module
-from importlib.metadata import version
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import product, starmap
 from math import isclose, lcm
 from numbers import Real
@@ -18,15 +12,15 @@ from typing import Annotated, cast
 from annotated_types import Ge, Le, MinLen
 from pydantic import Field, field_validator
 
+from sim2reason.base.lazy import cached_property
 from sim2reason.datasets.benchmark_files import BenchmarkFile
-from sim2reason.datasets.item import Item, Record
-from sim2reason.datasets.request import LARGEST, SI, Request, Weights
 from sim2reason.errors import DatasetError, DrawError
-from sim2reason.lazy import cached_property
+from sim2reason.generation.item import Record
+from sim2reason.generation.request import LARGEST, SI, Request, Weights
+from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.questions.tolerance import TOLERANCE, out_of_range
-from sim2reason.recipes import DIFFICULTIES
 
-MAKER = "sim2reason.datasets.make:make"
+MAKER = "sim2reason.generation.make:make"
 """The maker of items, by dotted path, so that a worker process can find it."""
 SHARD = 500  # rows: a few MB, made in half a minute; the most that a kill can lose
 BARREN, TURNS = 100, 2  # positions, and turns over all cells: where one in 25 is new, all seems barren with 2 %
@@ -43,9 +37,6 @@ If no number of one differs by more from that of the other, its answer included,
 """
 LICENSE = "apache-2.0"
 """Of the data, by the name that the Hugging Face hub has for it: that of the library."""
-SHAPING = "sim2reason", "mujoco", "numpy", "pyarrow", "pydantic", "sympy"
-"""The packages whose versions may change the bytes of a dataset."""
-
 ALL = "all"
 Names = str | Sequence[str]
 """One name, several, or ``all``."""
@@ -72,23 +63,6 @@ def numbers(what: str, pairs: object) -> dict[str, float]:
         if not isinstance(name, str) or not isinstance(size, Real):
             raise DatasetError(f"{what}: {name!r}: {size!r} is no number of that name; write as in {{'period': 2}}")
     return cast("dict[str, float]", dict(found))
-
-
-@dataclass(frozen=True, slots=True)
-class Made:
-    """What a maker gives back.
-
-    `item` is None if no draw passed within the maker's budget, which is counted in steps, never in seconds.
-    `rejected` counts the draws that were refused on the way, by filter or reason. `wanted` is the kind of question that
-    was tried first, by the weights, among those that the scenes offer; empty for none.
-    """
-
-    item: Item | None
-    rejected: dict[str, int] = field(default_factory=dict[str, int])
-    wanted: str = ""
-
-
-Maker = Callable[[Request], Made]
 
 
 class Config(Record):
@@ -227,21 +201,3 @@ class Config(Record):
 def file_name(number: int, total: int, split: str = TRAIN) -> str:
     """Return the file of a shard and a split, named as the Hugging Face hub does."""
     return f"{DATA}/{split}-{number:05}-of-{total:05}.parquet"
-
-
-@cache
-def versions() -> dict[str, str]:
-    """Return all that may change the bytes beside the configuration: packages, Python and platform."""
-    found = {"python": platform.python_version(), "platform": f"{sys.platform}-{platform.machine()}"}
-    for package in SHAPING:
-        found[package] = version(package)
-    return dict(sorted(found.items()))
-
-
-def load_maker(path: str) -> Maker:
-    """Import a maker from ``package.module:function``; DatasetError if there is none."""
-    module, _, name = path.partition(":")
-    try:
-        return cast("Maker", getattr(import_module(module), name))
-    except (ImportError, AttributeError, ValueError) as error:
-        raise DatasetError(f"{path}: no maker of items can be imported from here ({error})") from error

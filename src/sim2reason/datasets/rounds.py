@@ -12,7 +12,6 @@ from functools import partial
 from sim2reason.datasets.cells import table
 from sim2reason.datasets.contamination import Overlap
 from sim2reason.datasets.distinct import POSITION, Double, doubles
-from sim2reason.datasets.item import Item
 from sim2reason.datasets.journal import Journal
 from sim2reason.datasets.manifest import Counts, RefusedPosition, Shard, merged
 from sim2reason.datasets.places import Run
@@ -20,6 +19,7 @@ from sim2reason.datasets.plan import Config
 from sim2reason.datasets.shard_records import items_of, lengthened, marks_of, put_shard, shard_of
 from sim2reason.datasets.work_queue import WorkQueue
 from sim2reason.datasets.worker import Attempt
+from sim2reason.generation.item import Item
 
 FindsOverlap = Callable[[str], Overlap | None]
 """Finds the words that a prompt shares with a benchmark."""

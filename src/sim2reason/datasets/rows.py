@@ -9,8 +9,8 @@ from typing import Protocol, cast, runtime_checkable
 
 from pydantic import ValidationError
 
-from sim2reason.datasets.item import Answer, unfolded
 from sim2reason.errors import DatasetError
+from sim2reason.generation.item import Answer, unfolded
 
 DEEPEST = 40  # groups, lists and wrappers in each other
 

@@ -1,10 +1,10 @@
 """A problem with several parts as several problems, each with the answers to the parts before it."""
 
-from sim2reason.datasets.item import Answer, Item, QuestionPart
-from sim2reason.dsl.measures import join_unit
+from sim2reason.generation.item import Answer, Item, QuestionPart
 from sim2reason.grading.parts import LABELS
 from sim2reason.questions.choice_prompts import MINUS, said
 from sim2reason.questions.part_prompts import PartPrompt
+from sim2reason.scenes.dsl.measures import join_unit
 from sim2reason.solutions.algebra.digits import DIGITS
 
 

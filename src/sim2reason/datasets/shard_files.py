@@ -4,12 +4,12 @@ from collections.abc import Generator, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
+from sim2reason.base.atomic_files import checksum, put
 from sim2reason.datasets import store
-from sim2reason.datasets.atomic_files import checksum, put
-from sim2reason.datasets.item import Item
 from sim2reason.datasets.manifest import Counts, Shard, ShardFile, merged
 from sim2reason.datasets.plan import file_name
 from sim2reason.errors import DatasetError
+from sim2reason.generation.item import Item
 
 COUNTED = "recipe", "difficulty", "mode", "kind", "needs"
 BySplit = Mapping[str, Sequence[Item]]

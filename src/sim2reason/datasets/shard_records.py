@@ -6,11 +6,11 @@ from sim2reason.datasets import shard_files
 from sim2reason.datasets.cells import table, together
 from sim2reason.datasets.distinct import Marks, marks
 from sim2reason.datasets.histograms import counted
-from sim2reason.datasets.item import Item
 from sim2reason.datasets.journal import Journal
 from sim2reason.datasets.manifest import REFUSALS, Shard, merged
-from sim2reason.datasets.splits import split_of
 from sim2reason.errors import DatasetError
+from sim2reason.generation.item import Item
+from sim2reason.generation.splits import split_of
 
 Placed = Sequence[tuple[int, Item]]
 """Items with their positions, in order."""

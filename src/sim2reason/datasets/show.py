@@ -4,9 +4,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from sim2reason.datasets.dataset import Dataset
-from sim2reason.datasets.item import Item
 from sim2reason.datasets.plan import ALL, Names, several
 from sim2reason.errors import DatasetError
+from sim2reason.generation.item import Item
 
 PROBLEMS = 3
 

@@ -4,16 +4,15 @@ from collections import Counter
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from sim2reason.datasets.item import Item
-from sim2reason.datasets.item_search import ItemSearch
-from sim2reason.datasets.make import item_of
-from sim2reason.datasets.question_search import QuestionSearch
-from sim2reason.datasets.random_scenes import generator
-from sim2reason.datasets.request import Request
-from sim2reason.datasets.worked_solutions import worked
-from sim2reason.dsl.measures import join_unit
-from sim2reason.dsl.scene import Scene
+from sim2reason.base.record import abridged
 from sim2reason.errors import DrawError, SceneError, TextError
+from sim2reason.generation.item import Item
+from sim2reason.generation.item_search import ItemSearch
+from sim2reason.generation.make import item_of
+from sim2reason.generation.question_search import QuestionSearch
+from sim2reason.generation.random_scenes import generator
+from sim2reason.generation.request import Request
+from sim2reason.generation.worked_solutions import worked
 from sim2reason.questions import MODES, StatedResult, Words
 from sim2reason.questions.derived_numbers import with_number
 from sim2reason.questions.following import Followed, eventful, follow, motion_of
@@ -25,8 +24,9 @@ from sim2reason.questions.posing import VALUE, PosedQuestion, posed
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.targets import targets
-from sim2reason.record import abridged
-from sim2reason.scene_files import SceneLike, given_scene, question_of
+from sim2reason.scenes.dsl.measures import join_unit
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.files import SceneLike, given_scene, question_of
 from sim2reason.solutions import Setting, Solution
 from sim2reason.solutions import solve as solved
 

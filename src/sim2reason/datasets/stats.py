@@ -3,10 +3,10 @@
 from collections import Counter
 from pathlib import Path
 
+from sim2reason.base.record import counted
 from sim2reason.datasets.dataset import Dataset
-from sim2reason.datasets.item import Record
 from sim2reason.datasets.manifest import Counts
-from sim2reason.record import counted
+from sim2reason.generation.item import Record
 
 COUNTED = "recipe", "difficulty", "mode", "kind", "needs", "shape"
 COLUMNS = *COUNTED, "asked.quantity", "prompt", "answer.value", "answer.unit"

@@ -13,7 +13,7 @@ from typing import Any
 import pyarrow as pa
 import pyarrow.parquet as pq
 
-from sim2reason.datasets.item import Item
+from sim2reason.generation.item import Item
 
 TEXT, REAL, WHOLE = pa.string(), pa.float64(), pa.int64()
 BINDING = pa.struct({"numbers": pa.list_(REAL), "answer": REAL})

@@ -3,13 +3,13 @@
 from collections.abc import Callable
 from pathlib import Path
 
+from sim2reason.base.atomic_files import checksum, put_text, sweep
 from sim2reason.datasets import card, shard_files
-from sim2reason.datasets.atomic_files import checksum, put_text, sweep
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.finish import CARD
 from sim2reason.datasets.histograms import counted
-from sim2reason.datasets.item import Item
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Counts, Manifest, Shard, all_histograms, merged, shards
+from sim2reason.generation.item import Item
 
 __all__ = ["put_subset"]
 

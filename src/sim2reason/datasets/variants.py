@@ -14,10 +14,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from sim2reason.datasets.item import Item
-from sim2reason.datasets.splits import numbers_in, problem, question
 from sim2reason.errors import SceneError
-from sim2reason.scene_files import load
+from sim2reason.generation.item import Item
+from sim2reason.generation.splits import numbers_in, problem, question
+from sim2reason.scenes.files import load
 
 Logarithms = NDArray[np.float32]
 """Of the sizes of numbers: ratios are differences, to six digits."""

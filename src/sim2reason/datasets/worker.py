@@ -12,10 +12,10 @@ from multiprocessing.connection import Connection
 
 from sim2reason.datasets.end_with_parent import end_with_parent
 from sim2reason.datasets.interrupts import SIGNALS
-from sim2reason.datasets.item import Item
-from sim2reason.datasets.plan import Made, Maker, load_maker
-from sim2reason.datasets.request import Request
 from sim2reason.errors import DatasetError
+from sim2reason.generation.item import Item
+from sim2reason.generation.made import Made, Maker, load_maker
+from sim2reason.generation.request import Request
 
 YOUNG = 20_000  # objects more than before, after which the cycles among the new ones are looked for
 

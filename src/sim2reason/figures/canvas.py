@@ -10,9 +10,9 @@ from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from sim2reason.base.optional import optional
 from sim2reason.errors import UnsupportedError
 from sim2reason.figures.shapes import LETTER, Arc, Area, Drawing, Label, LineShape, Shape, Weight, width
-from sim2reason.optional import optional
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

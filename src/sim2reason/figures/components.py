@@ -3,9 +3,9 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from sim2reason.dsl.ports import StringPort
-from sim2reason.dsl.scene import Scene
 from sim2reason.figures.pieces import PIECES
+from sim2reason.scenes.dsl.ports import StringPort
+from sim2reason.scenes.dsl.scene import Scene
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,16 +5,16 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sim2reason.dsl.measures import show_unit
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.units import UnitSystem
 from sim2reason.figures.trajectories import Trajectories, trajectories
-from sim2reason.prose.description import Description
-from sim2reason.quantities import QUANTITIES, Quantity, ordered
-from sim2reason.quantities.subjects.bodies import AXES
-from sim2reason.quantities.subjects.lines import strings
+from sim2reason.scenes.dsl.measures import show_unit
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.units import UnitSystem
+from sim2reason.simulation.quantities import QUANTITIES, Quantity, ordered
+from sim2reason.simulation.quantities.subjects.bodies import AXES
+from sim2reason.simulation.quantities.subjects.lines import strings
 from sim2reason.simulation.trace import Event, Trace
+from sim2reason.text.prose.description import Description
 
 SAMPLES = 400
 MOST = 8  # curves of a panel

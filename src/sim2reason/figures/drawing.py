@@ -8,8 +8,6 @@ import warnings
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
 
-from sim2reason.dsl.body import Small as SmallBody
-from sim2reason.dsl.scene import Scene
 from sim2reason.errors import FigureWarning
 from sim2reason.figures import faces
 from sim2reason.figures.arrange import Arranger
@@ -24,7 +22,9 @@ from sim2reason.figures.shapes import SMALL, Drawing, LineShape, Shape, Sketch, 
 from sim2reason.figures.springs import spring
 from sim2reason.figures.unknowns import disguised
 from sim2reason.figures.vectors import box, mirrored
-from sim2reason.prose.description import Description, describe
+from sim2reason.scenes.dsl.body import Small as SmallBody
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.text.prose.description import Description, describe
 
 BETWEEN = 1.2  # parts of a scene that nothing joins
 MOUNT = 1.9  # the longest bracket from a corner to a pulley

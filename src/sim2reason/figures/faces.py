@@ -7,7 +7,6 @@ from itertools import pairwise
 from math import atan2, radians, tan
 from math import degrees as to_degrees
 
-from sim2reason.dsl.body import FixedPlane, MovingSlope
 from sim2reason.figures import shapes
 from sim2reason.figures.hanging import block_labels, wrapped
 from sim2reason.figures.paths import PathKnot, flat, is_plane, owner_of
@@ -27,6 +26,7 @@ from sim2reason.figures.vectors import (
     shown,
     unit,
 )
+from sim2reason.scenes.dsl.body import FixedPlane, MovingSlope
 
 HEAD, TOE, TOE_SITE = 0.95, 1.25, 1.6  # of a face that is free above its highest and below its lowest thing
 SHORTEST, LONGER = 3.8, 1.7  # of a face; and by what factor it may be stretched to reach the floor

@@ -2,9 +2,6 @@
 
 from collections.abc import Iterator
 
-from sim2reason.dsl.body import PulleyWheel
-from sim2reason.dsl.body import Small as SmallBody
-from sim2reason.dsl.mechanism import ConstantTension
 from sim2reason.figures.paths import PathKnot, has_faces, is_pulley, owner_of
 from sim2reason.figures.pieces import DrawingPlan, Piece, around, draws
 from sim2reason.figures.shapes import (
@@ -23,6 +20,9 @@ from sim2reason.figures.shapes import (
     width,
 )
 from sim2reason.figures.vectors import UP, Polygon, degrees, dot, rectangle, ring, unit
+from sim2reason.scenes.dsl.body import PulleyWheel
+from sim2reason.scenes.dsl.body import Small as SmallBody
+from sim2reason.scenes.dsl.mechanism import ConstantTension
 
 BRACKET, PLATE = 0.95, 1.1  # from an axle to what holds it, and how wide that is
 ARROW = 1.3

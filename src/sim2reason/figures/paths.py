@@ -8,12 +8,12 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
-from sim2reason.dsl.body import Body, FixedPlane, MovingSlope, PulleyWheel
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.vectors import Vector
+from sim2reason.base.lazy import cached_property
 from sim2reason.figures.vectors import unit
-from sim2reason.lazy import cached_property
+from sim2reason.scenes.dsl.body import Body, FixedPlane, MovingSlope, PulleyWheel
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.vectors import Vector
 
 
 def has_faces(body: Body | None) -> bool:

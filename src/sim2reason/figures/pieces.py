@@ -9,14 +9,14 @@ from dataclasses import dataclass, field, replace
 from math import isclose
 from typing import TypeVar
 
-from sim2reason.dsl.body import BodyLook
-from sim2reason.dsl.mechanism import Face
-from sim2reason.dsl.model import Parameter
-from sim2reason.dsl.scene import Scene
 from sim2reason.figures.paths import PathKnot, Paths
 from sim2reason.figures.shapes import Sketch
 from sim2reason.figures.vectors import RIGHT, Polygon, cross, dot, unit
-from sim2reason.prose.description import Description
+from sim2reason.scenes.dsl.body import BodyLook
+from sim2reason.scenes.dsl.mechanism import Face
+from sim2reason.scenes.dsl.model import Parameter
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.text.prose.description import Description
 
 LIKE = 1e-9  # SI units, between numbers that are one
 DIGITS = 5  # of a number in a drawing, at most: as many as worked solutions carry

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from sim2reason.dsl.measures import show_unit
 from sim2reason.figures.canvas import check, matplotlib, save, settings
 from sim2reason.figures.curves import Mark, MotionCurves, Panel, motion_curves
 from sim2reason.figures.trajectories import Trajectories
-from sim2reason.prose.description import Description
+from sim2reason.scenes.dsl.measures import show_unit
 from sim2reason.simulation.trace import Trace
+from sim2reason.text.prose.description import Description
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

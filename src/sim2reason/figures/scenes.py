@@ -2,13 +2,13 @@
 
 from pathlib import Path
 
-from sim2reason.dsl.scene import Scene
 from sim2reason.figures.canvas import check, draw, matplotlib
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.plot import plot as plotted
-from sim2reason.prose.description import Description, describe
-from sim2reason.scene_files import SceneLike, Wording, given_scene, wording_of
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.files import SceneLike, Wording, given_scene, wording_of
 from sim2reason.simulation.scenes import BOTH, whole
+from sim2reason.text.prose.description import Description, describe
 
 
 def figure(

@@ -2,8 +2,8 @@
 
 from collections.abc import Iterator
 
-from sim2reason.dsl.mechanism import Elastic, Line
 from sim2reason.figures.vectors import Polygon, unit
+from sim2reason.scenes.dsl.mechanism import Elastic, Line
 
 COIL, LOOPS, LEAD = 0.17, 0.26, 0.25  # half the width, how long a loop is, the straight part at each end
 ASIDE = 0.22  # how far a spring and its dashpot lie from the line between them

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sim2reason.dsl.measures import show_unit
-from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.vectors import Vector
-from sim2reason.quantities.subjects.bodies import Bodies
+from sim2reason.scenes.dsl.measures import show_unit
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.vectors import Vector
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
 
 
 @dataclass(frozen=True)

@@ -5,14 +5,14 @@ from collections.abc import Callable, Iterator
 from itertools import combinations
 from math import copysign
 
-from sim2reason.dsl.model import Parameter
-from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.units import parse_unit
 from sim2reason.errors import SceneError
 from sim2reason.figures.shapes import Arc, Area, Drawing, LineShape, Shape
 from sim2reason.figures.vectors import Polygon, depth, hull
-from sim2reason.prose.description import Description
 from sim2reason.questions.unknown import limits_of
+from sim2reason.scenes.dsl.model import Parameter
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.units import parse_unit
+from sim2reason.text.prose.description import Description
 
 FACTORS = (1.3, 0.75, 1.2, 0.85, 1.5, 0.6, 0.5, 1.8, 2.4, 0.88, 1.12)
 """Factors by which the value of an unknown, with two digits, is multiplied, in the order of trial."""

@@ -3,9 +3,9 @@
 import re
 from typing import Final
 
-from sim2reason.dsl.units import Unit, UnitError, parse_unit
 from sim2reason.grading.remarks import printed
 from sim2reason.grading.unit_spelling import unit_in
+from sim2reason.scenes.dsl.units import Unit, UnitError, parse_unit
 
 __all__ = ["smaller_part"]
 

@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Final
 
-from sim2reason.dsl.units import UnitError
 from sim2reason.grading import arithmetic, remarks
 from sim2reason.grading.arithmetic import Node
 from sim2reason.grading.clauses import vectors_as_components
@@ -24,6 +23,7 @@ from sim2reason.grading.sides import Statement, flattened, is_signed, statement,
 from sim2reason.grading.spelling import balanced, spelled
 from sim2reason.grading.tokens import Token, canonical, tokenize
 from sim2reason.grading.unit_spelling import unit_in
+from sim2reason.scenes.dsl.units import UnitError
 
 __all__ = ["FormulaError", "formula"]
 

@@ -6,7 +6,7 @@ preposition, and an inch is spelled out.
 
 from typing import Final
 
-from sim2reason.dsl.units import Unit, parse_unit
+from sim2reason.scenes.dsl.units import Unit, parse_unit
 
 __all__ = ["FURTHER"]
 

@@ -3,12 +3,12 @@ r"""Units on the left of a value, as in headings of tables: ``\text{Speed (km/h)
 from collections.abc import Iterable, Sequence
 from typing import Final
 
-from sim2reason.dsl.units import Unit, UnitError
 from sim2reason.grading import labels
 from sim2reason.grading.score import Outcome, Refused
 from sim2reason.grading.spelling import balanced
 from sim2reason.grading.tokens import Token
 from sim2reason.grading.unit_spelling import unit_in
+from sim2reason.scenes.dsl.units import Unit, UnitError
 
 __all__ = ["unit_on_left"]
 

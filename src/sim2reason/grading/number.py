@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
-from sim2reason.dsl.units import Dimension, Unit, UnitError, parse_unit
 from sim2reason.grading import arithmetic, labels, remarks
 from sim2reason.grading.compound import smaller_part
 from sim2reason.grading.extract import boxed
@@ -28,6 +27,7 @@ from sim2reason.grading.spelling import balanced, spelled
 from sim2reason.grading.tokens import Token, tokenize
 from sim2reason.grading.unit_spelling import unit_in
 from sim2reason.grading.usual_symbols import may_be
+from sim2reason.scenes.dsl.units import Dimension, Unit, UnitError, parse_unit
 
 __all__ = ["number", "unit_stated"]
 

@@ -4,9 +4,9 @@ import re
 from dataclasses import dataclass, field
 from typing import Final
 
-from sim2reason.dsl.units import UnitError, parse_unit
 from sim2reason.grading.alphabet import SCRIPTS
 from sim2reason.grading.score import Outcome, Refused
+from sim2reason.scenes.dsl.units import UnitError, parse_unit
 
 __all__ = ["expanded"]
 

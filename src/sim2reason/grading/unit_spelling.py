@@ -11,9 +11,9 @@ from dataclasses import replace
 from functools import lru_cache
 from typing import Final
 
-from sim2reason.dsl.units import Unit, UnitError, combined, parse_unit
 from sim2reason.grading.alphabet import SWITCHES, either
 from sim2reason.grading.further_units import FURTHER
+from sim2reason.scenes.dsl.units import Unit, UnitError, combined, parse_unit
 
 __all__ = ["is_unit", "unit_in"]
 

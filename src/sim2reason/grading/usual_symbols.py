@@ -8,12 +8,12 @@ from collections.abc import Sequence
 from itertools import product
 from typing import Final
 
-from sim2reason.dsl.units import Dimension, Unit, parse_unit
 from sim2reason.grading import arithmetic, labels
 from sim2reason.grading.arithmetic import Node
 from sim2reason.grading.parser import parse
 from sim2reason.grading.score import Refused
 from sim2reason.grading.tokens import Token
+from sim2reason.scenes.dsl.units import Dimension, Unit, parse_unit
 
 __all__ = ["may_be"]
 

@@ -10,10 +10,7 @@ from typing import ClassVar, TypeVar
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.prose.description import Description
-from sim2reason.prose.symbol_names import with_names
-from sim2reason.prose.voices import hiding
+from sim2reason.base.registry import Registry
 from sim2reason.questions.given import StatedResult
 from sim2reason.questions.kinds import KINDS, Kind
 from sim2reason.questions.moments import MOMENTS, Moment
@@ -22,7 +19,10 @@ from sim2reason.questions.regimes import Regime
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Target
 from sim2reason.questions.words import Words
-from sim2reason.registry import Registry
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.text.prose.description import Description
+from sim2reason.text.prose.symbol_names import with_names
+from sim2reason.text.prose.voices import hiding
 
 
 @dataclass(frozen=True, slots=True)
@@ -180,7 +180,7 @@ class QuestionMode(ABC):
         return "the scene has no such value"
 
 
-MODES: Registry[QuestionMode] = Registry("modes")
+MODES: Registry[QuestionMode] = Registry("modes", package="sim2reason.generation.modes")
 M = TypeVar("M", bound=QuestionMode)
 
 

@@ -4,12 +4,12 @@ from collections.abc import Callable
 
 import numpy as np
 
-from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.choices import least
 from sim2reason.questions.constancy import hangs_on
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Target
+from sim2reason.simulation.quantities import QUANTITIES
 
 SAME = 2e-3  # relative: what rounds to the same three digits
 JUMP = 1e-5  # relative: what differs by more on both sides of an event jumps there

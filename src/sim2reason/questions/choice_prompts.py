@@ -7,10 +7,10 @@ from math import floor, log10
 
 import numpy as np
 
-from sim2reason.dsl.measures import join_unit
 from sim2reason.errors import TextError
 from sim2reason.questions.parse_prompt import ParsedPrompt, parse_prompt
 from sim2reason.questions.prompt import FORMATS, PLAIN_FORMATS, unit_in_words
+from sim2reason.scenes.dsl.measures import join_unit
 
 LETTERS = "ABCDE"
 DIGITS = 3  # significant ones, as prompts ask for

@@ -5,12 +5,12 @@ from math import hypot, inf
 
 import numpy as np
 
-from sim2reason.dsl.constancy import bending, changing
-from sim2reason.dsl.frames import start
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array
-from sim2reason.quantities import QUANTITIES, Quantity
 from sim2reason.questions.targets import Target
+from sim2reason.scenes.dsl.constancy import bending, changing
+from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.state import Array
+from sim2reason.simulation.quantities import QUANTITIES, Quantity
 from sim2reason.simulation.trace import AT_ONCE, Trace
 
 CROSSINGS = "enter", "exit"

@@ -5,10 +5,10 @@ from math import inf
 
 import numpy as np
 
-from sim2reason.dsl.state import Array
-from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.targets import Target
+from sim2reason.scenes.dsl.state import Array
+from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.trace import AT_ONCE, Event, Trace
 
 CLEARLY = 0.05  # relative: what changes by less is paid at any moment

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from sim2reason.dsl.state import Array, State
+from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.trace import Trace
 
 Excess = Callable[[State], Array]

@@ -8,7 +8,6 @@ from math import inf, isfinite
 
 import numpy as np
 
-from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.questions.course import ways
 from sim2reason.questions.derived_numbers import with_number
@@ -19,6 +18,7 @@ from sim2reason.questions.query import Query
 from sim2reason.questions.recurrence import nothing_new
 from sim2reason.questions.study import BEYOND, COARSE, SHORTEST, Study
 from sim2reason.questions.unknown import LENGTHS
+from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, FINEST, Trace
 

@@ -5,8 +5,8 @@ from collections.abc import Mapping
 from math import hypot
 from typing import NamedTuple
 
-from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError
+from sim2reason.scenes.dsl.scene import Scene
 
 VELOCITY, SPEED = "velocity", "speed"
 NOWHERE = "a speed of zero has no direction"

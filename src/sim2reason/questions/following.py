@@ -6,8 +6,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sim2reason.dsl.constancy import changing
-from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SimulationError
 from sim2reason.questions.dependence import roomy
 from sim2reason.questions.kinds import KINDS
@@ -17,6 +15,8 @@ from sim2reason.questions.never import why_never
 from sim2reason.questions.query import Query
 from sim2reason.questions.recurrence import nothing_new
 from sim2reason.questions.study import BEYOND, Study
+from sim2reason.scenes.dsl.constancy import changing
+from sim2reason.scenes.dsl.scene import Scene
 
 SAMPLES = 41
 GROWTH = 2.0  # times as long is a motion followed that has not yet led to an answer

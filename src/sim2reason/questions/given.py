@@ -7,7 +7,7 @@ from functools import cache
 from math import floor, log10
 from typing import Self
 
-from sim2reason.dsl.measures import join_unit
+from sim2reason.scenes.dsl.measures import join_unit
 
 SMALLEST, LARGEST = -3, 4  # powers of ten between which a number is said without one
 MINUS = "\N{MINUS SIGN}"

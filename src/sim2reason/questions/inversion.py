@@ -2,12 +2,12 @@
 
 from collections.abc import Sequence
 
-from sim2reason.dsl.constancy import changing
-from sim2reason.dsl.scene import Scene
 from sim2reason.questions.dependence import Dependence, roomy, roots
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import ENOUGH, Study
 from sim2reason.questions.unknown import Unknown, beyond_range, range_of
+from sim2reason.scenes.dsl.constancy import changing
+from sim2reason.scenes.dsl.scene import Scene
 
 PATIENCE = {False: tuple(4.0**n for n in range(2, 12)), True: (16.0, 64.0)}
 """Times the horizon, till when results are waited for with no value found; fewer where motions are integrated."""

@@ -3,8 +3,8 @@
 from collections import Counter
 from collections.abc import Mapping
 
-from sim2reason.dsl.model import Parameter
-from sim2reason.dsl.scene import Scene
+from sim2reason.scenes.dsl.model import Parameter
+from sim2reason.scenes.dsl.scene import Scene
 
 OF_BODIES = frozenset({"mass", "radius", "length", "height", "stiffness", "hole radius", "inner radius", "pulley mass"})
 """What is said of a body: *the radius of the disc*."""

@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from sim2reason.dsl.constancy import changing
-from sim2reason.quantities.subjects.pairs import members
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.parts.passage import Threshold
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.questions.recurrence import ends_at_rest, first_return, flies_off, is_autonomous
+from sim2reason.scenes.dsl.constancy import changing
+from sim2reason.simulation.quantities.subjects.pairs import members
 from sim2reason.simulation.trace import Trace, ending
 
 EVENTLESS = 1e3  # times the time of the last event: where nothing bends, nothing new comes after it

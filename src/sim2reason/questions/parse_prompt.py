@@ -7,12 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.units import parse_unit
 from sim2reason.errors import SimulationError, TextError
-from sim2reason.parsing import NONE_GIVEN, ParsedScene, parse_scene
-from sim2reason.parsing.assembly import untold
-from sim2reason.prose.symbol_names import without_names
 from sim2reason.questions import KINDS, MODES, ParsedQuestion, Query, Study, Words
 from sim2reason.questions.following import FollowedMotion, follow, motion_of
 from sim2reason.questions.ordinary.nearest import nearest_said
@@ -22,6 +17,11 @@ from sim2reason.questions.shapes import Draft, shapes_to_try
 from sim2reason.questions.spoken import spoken_of
 from sim2reason.questions.spoken_units import in_si
 from sim2reason.questions.topics import depends_on_start
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.units import parse_unit
+from sim2reason.text.parsing import NONE_GIVEN, ParsedScene, parse_scene
+from sim2reason.text.parsing.assembly import untold
+from sim2reason.text.prose.symbol_names import without_names
 
 SAMPLES = 101
 SHARES = 1.0, 0.3, 0.1, 0.03  # of the horizon

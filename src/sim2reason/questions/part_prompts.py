@@ -12,12 +12,12 @@ import numpy as np
 
 from sim2reason.errors import TextError
 from sim2reason.grading.parts import LABELS
-from sim2reason.prose.description import Description
-from sim2reason.prose.phrases import join
 from sim2reason.questions import KINDS, Question, Words
 from sim2reason.questions.parse_prompt import ParsedPrompt, parse_prompt
 from sim2reason.questions.prompt import FORMATS, PLAIN_FORMATS, WHOLE, Prompt, composed, unit_in_words
 from sim2reason.questions.references import referring, spelled_out
+from sim2reason.text.prose.description import Description
+from sim2reason.text.prose.phrases import join
 
 FORMS = (
     "Give all answers together in one box, as in {box}: {units}{digits}.",

@@ -2,13 +2,13 @@
 
 from dataclasses import dataclass
 
-from sim2reason.dsl.fields import Magnetic
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.quantities.subjects.bodies import Bodies, TurningBodies
-from sim2reason.quantities.subjects.pairs import pair
-from sim2reason.quantities.subjects.paths import center_path
 from sim2reason.questions.query import Query
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.fields import Magnetic
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies
+from sim2reason.simulation.quantities.subjects.pairs import pair
+from sim2reason.simulation.quantities.subjects.paths import center_path
 
 COUNTS = {2: "two", 3: "three"}
 SPEEDS = {2: ("slower", "faster"), 3: ("slowest", "fastest")}

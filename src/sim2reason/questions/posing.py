@@ -4,9 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 
-from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
-from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.derived_numbers import derived_numbers, number_at
 from sim2reason.questions.following import Followed, FollowedMotion, follow, motion_of
 from sim2reason.questions.inversion import values_giving, why_not_one
@@ -25,6 +23,8 @@ from sim2reason.questions.targets import quantities_named, targets
 from sim2reason.questions.unknown import Unknown
 from sim2reason.questions.variation import SceneChange, is_removal, variation, words_in
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.simulation.quantities import QUANTITIES
 
 EXTREMES = GREATEST, LEAST = "greatest", "least"
 LIMITS = {"infinity": True, "∞": True, "0": False, "zero": False}

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sim2reason.dsl.measures import show_unit
-from sim2reason.prose.description import Description
-from sim2reason.prose.phrases import join, symbols
 from sim2reason.questions import KINDS, Formula, Question, Words
 from sim2reason.questions.shapes import SHAPES
+from sim2reason.scenes.dsl.measures import show_unit
+from sim2reason.text.prose.description import Description
+from sim2reason.text.prose.phrases import join, symbols
 
 FORMATS = (
     "Give your answer in {unit}, to three significant figures, inside \\boxed{{}}.",

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable
 import numpy as np
 from numpy.polynomial.legendre import leggauss
 
-from sim2reason.dsl.state import Array, State
+from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.trace import Trace, in_order
 
 POINTS = 6  # of Gauss's rule in each piece: exact for polynomials to the 11th degree, and no end of a piece is one

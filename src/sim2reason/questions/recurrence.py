@@ -7,13 +7,13 @@ from math import pi
 
 import numpy as np
 
-from sim2reason.dsl.fields import Magnetic, Push
-from sim2reason.dsl.mechanism import Inextensible, Mechanism
-from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.vectors import inner
-from sim2reason.quantities.subjects.paths import center_path, chain
 from sim2reason.questions.choices import STILL, apart
 from sim2reason.questions.crossing import crossings
+from sim2reason.scenes.dsl.fields import Magnetic, Push
+from sim2reason.scenes.dsl.mechanism import Inextensible, Mechanism
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.vectors import inner
+from sim2reason.simulation.quantities.subjects.paths import center_path, chain
 from sim2reason.simulation.trace import Trace
 
 SAME, ERRS = 1e-6, 100.0  # of the greatest excursion and speed, or times what a step errs by: less is no difference

@@ -5,18 +5,18 @@ from dataclasses import replace
 
 import numpy as np
 
-from sim2reason.dsl.displaced import displaced
-from sim2reason.dsl.fields import Magnetic, Push
-from sim2reason.dsl.mechanism import Force, Inextensible, Mechanism
-from sim2reason.dsl.model import rebuilt
-from sim2reason.dsl.scene import Scene
+from sim2reason.base.lazy import cached_property
 from sim2reason.errors import UnsupportedError
-from sim2reason.lazy import cached_property
-from sim2reason.quantities.subjects.contacts import Hands
-from sim2reason.quantities.subjects.lines import Springs, Strings
-from sim2reason.quantities.subjects.rods import Rods, SwingingLines
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.displaced import displaced
+from sim2reason.scenes.dsl.fields import Magnetic, Push
+from sim2reason.scenes.dsl.mechanism import Force, Inextensible, Mechanism
+from sim2reason.scenes.dsl.model import rebuilt
+from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.certify import RECORDED
+from sim2reason.simulation.quantities.subjects.contacts import Hands
+from sim2reason.simulation.quantities.subjects.lines import Springs, Strings
+from sim2reason.simulation.quantities.subjects.rods import Rods, SwingingLines
 from sim2reason.simulation.trace import ENGINES
 
 SAMPLES = 41

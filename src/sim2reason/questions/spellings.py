@@ -5,8 +5,8 @@ from collections.abc import Mapping
 from decimal import Decimal
 from functools import cache
 
-from sim2reason.dsl.units import UnitSystem
 from sim2reason.questions.spoken import DIGITS, say
+from sim2reason.scenes.dsl.units import UnitSystem
 
 _LENGTHS = {
     "m metre metres meter meters": "1",

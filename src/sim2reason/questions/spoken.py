@@ -9,8 +9,8 @@ from math import floor, isclose, log10
 
 import numpy as np
 
-from sim2reason.dsl.measures import join_unit
-from sim2reason.dsl.units import UnitSystem
+from sim2reason.scenes.dsl.measures import join_unit
+from sim2reason.scenes.dsl.units import UnitSystem
 
 
 @dataclass(frozen=True, slots=True)

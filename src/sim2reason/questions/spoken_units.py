@@ -10,11 +10,11 @@ from dataclasses import dataclass, field, replace
 from decimal import Decimal
 from functools import cache, lru_cache
 
-from sim2reason.dsl.measures import show_unit
-from sim2reason.dsl.unit_text import factors
-from sim2reason.dsl.units import MINUTE, UnitError, coherent, parse_unit
 from sim2reason.errors import UnknownNameError
 from sim2reason.questions.spoken import KILO, LONG, METRE
+from sim2reason.scenes.dsl.measures import show_unit
+from sim2reason.scenes.dsl.unit_text import factors
+from sim2reason.scenes.dsl.units import MINUTE, UnitError, coherent, parse_unit
 
 MINUS = "\N{MINUS SIGN}"
 LARGE = 5  # the power of ten from which on a number is written with one: 2.6×10⁵

@@ -5,14 +5,14 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
 from typing import Any, Self, cast
 
-from sim2reason.dsl.units import UnitError, parse_unit
+from sim2reason.base.registry import nearest
 from sim2reason.errors import TextError
-from sim2reason.quantities.subjects import Sense
 from sim2reason.questions.moments import MOMENTS, Happening, Moment
 from sim2reason.questions.moments.parts.just_before import JustBefore
 from sim2reason.questions.spoken import DIGITS, ORDINALS
 from sim2reason.questions.words import Words
-from sim2reason.registry import nearest
+from sim2reason.scenes.dsl.units import UnitError, parse_unit
+from sim2reason.simulation.quantities.subjects import Sense
 
 START = "at start"
 EQUILIBRIUM = "equilibrium"  # as a part: no moment of a motion

@@ -5,11 +5,11 @@ from typing import Protocol, Self
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.state import Array
+from sim2reason.base.lazy import Memo
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
-from sim2reason.lazy import Memo
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, FINEST, Trace
 

@@ -9,16 +9,16 @@ from itertools import groupby
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.vectors import Vector
 from sim2reason.errors import TextError
-from sim2reason.quantities import QUANTITIES, Quantity, ordered
-from sim2reason.quantities.subjects import Sense
-from sim2reason.quantities.subjects.bodies import Bodies, TurningBodies
-from sim2reason.quantities.subjects.paths import center_path, turning_axes
 from sim2reason.questions.structured import StructuredQuestion, resolved, sense_named
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.vectors import Vector
+from sim2reason.simulation.quantities import QUANTITIES, Quantity, ordered
+from sim2reason.simulation.quantities.subjects import Sense
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies
+from sim2reason.simulation.quantities.subjects.paths import center_path, turning_axes
 
 OWN_PATH, OWN_AXLE = "its path", "its axle"
 """Directions that the text need not name: of the line along which a body moves, of the axle about which it turns."""

@@ -4,14 +4,14 @@ from collections.abc import Callable, Collection, Iterator
 from math import inf, isclose
 from typing import get_args
 
-from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.template import Topic
 from sim2reason.questions import KINDS, Question, Study
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.questions.query import Query
 from sim2reason.questions.regimes.strings import AllStayTaut, StaysTaut
 from sim2reason.questions.study import BEYOND
 from sim2reason.questions.unknown import range_of
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.template import Topic
 from sim2reason.simulation.trace import happened
 
 STRIDE = 6  # every sixth point of an unknown's range is looked at

@@ -7,11 +7,11 @@ from typing import Self, cast
 
 import numpy as np
 
-from sim2reason.dsl.model import FieldType, Model, Parameter, field_types
-from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.state import Array
 from sim2reason.errors import SceneError
 from sim2reason.questions.derived_numbers import derived_numbers
+from sim2reason.scenes.dsl.model import FieldType, Model, Parameter, field_types
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.state import Array
 
 WIDER = 10.0  # times the range that it is drawn from, at either end
 POINTS = 64

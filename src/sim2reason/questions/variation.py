@@ -4,12 +4,12 @@ import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
-from sim2reason.dsl.scene import Scene
 from sim2reason.errors import TextError
 from sim2reason.questions.derived_numbers import derived_numbers, number_at, with_numbers
 from sim2reason.questions.removal import after_removal, removable
 from sim2reason.questions.structured import CHANGE, REMOVAL, measured, resolved
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.scene import Scene
 
 MOST = 6  # changes in one question
 FIXED = "fixed"  # what a body is made, which then no longer moves

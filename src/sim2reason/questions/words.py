@@ -4,15 +4,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Self
 
-from sim2reason.dsl.constancy import may_turn_back
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.units import UnitSystem
-from sim2reason.lazy import cached_property
-from sim2reason.quantities.subjects import Subject
+from sim2reason.base.lazy import cached_property
 from sim2reason.questions.named_numbers import named_numbers
 from sim2reason.questions.spoken import OwnSymbol, said, say
 from sim2reason.questions.unknown import Unknown, unknowns
+from sim2reason.scenes.dsl.constancy import may_turn_back
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.units import UnitSystem
+from sim2reason.simulation.quantities.subjects import Subject
 
 
 @dataclass(frozen=True, eq=False)

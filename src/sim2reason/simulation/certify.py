@@ -12,13 +12,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array, Dynamics, State
+from sim2reason.base.lazy import cached_property
+from sim2reason.base.record import counted
 from sim2reason.errors import SimulationError, UnsupportedError
-from sim2reason.lazy import cached_property
-from sim2reason.quantities import Quantity
-from sim2reason.record import counted
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.state import Array, Dynamics, State
 from sim2reason.simulation.channels import Channel, channels
+from sim2reason.simulation.quantities import Quantity
 from sim2reason.simulation.trace import ENDINGS, ENGINES, Event, Trace
 
 Flags = NDArray[np.bool_]

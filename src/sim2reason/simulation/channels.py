@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.quantities import QUANTITIES, Quantity
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.simulation.quantities import QUANTITIES, Quantity
 
 
 class Channel(NamedTuple):

@@ -5,10 +5,10 @@ from warnings import warn
 
 import numpy as np
 
-from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.state import Array
 from sim2reason.errors import MotionEndsWarning, SceneError
-from sim2reason.scene_files import SceneLike, scene_of
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.state import Array
+from sim2reason.scenes.files import SceneLike, scene_of
 from sim2reason.simulation.certify import RECORDED, Certificate
 from sim2reason.simulation.certify import certify as certify_mechanism
 from sim2reason.simulation.trace import ENGINES, Trace, ending

@@ -6,11 +6,11 @@ from typing import Protocol
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array, State
-from sim2reason.lazy import cached_property
-from sim2reason.record import counted
-from sim2reason.registry import Registry
+from sim2reason.base.lazy import cached_property
+from sim2reason.base.record import counted
+from sim2reason.base.registry import Registry
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.state import Array, State
 
 SHOWN = 10  # events that the text of a trace lists
 AT_ONCE = 1e-9  # of a time: what comes earlier than something by no more comes with it

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from sim2reason.dsl.state import Array
 from sim2reason.errors import SceneError, UnsupportedError
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation import channels
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import Event, Trace

@@ -20,8 +20,8 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array, State
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.trace import Trace
 
 Flags = NDArray[np.bool_]

@@ -4,22 +4,22 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Self
 
-from sim2reason.dsl.mechanism import ConstantTension, Mechanism
-from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.vectors import Vector
-from sim2reason.lazy import cached_property
-from sim2reason.prose.description import Description
-from sim2reason.prose.voices import numeric
-from sim2reason.quantities.subjects.lines import line_phrases, pulleys, springs
+from sim2reason.base.lazy import cached_property
 from sim2reason.questions import KINDS, Formula, Query, Question, StatedResult, Study, Target, Words
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.need import Need
 from sim2reason.questions.regimes import Regime
+from sim2reason.scenes.dsl.mechanism import ConstantTension, Mechanism
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.vectors import Vector
 from sim2reason.simulation.engines.exact.engine import motion
 from sim2reason.simulation.engines.exact.motion import Motion
+from sim2reason.simulation.quantities.subjects.lines import line_phrases, pulleys, springs
 from sim2reason.simulation.trace import happened
 from sim2reason.solutions.writing.lexicon import Lexicon, StatedNumber
 from sim2reason.solutions.writing.unit_latex import latex
+from sim2reason.text.prose.description import Description
+from sim2reason.text.prose.voices import numeric
 
 LEVEL = 1e-9  # the part of a direction that is none
 BEYOND = 1.001  # times the moment that is asked about, to which the motion is followed

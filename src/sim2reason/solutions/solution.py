@@ -5,9 +5,9 @@ from dataclasses import dataclass, field
 from math import degrees
 from typing import Literal
 
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
+from sim2reason.base.record import abridged, counted
 from sim2reason.questions.need import Need, greatest
-from sim2reason.record import abridged, counted
 from sim2reason.solutions.algebra.digits import DIGITS, rounded
 from sim2reason.solutions.algebra.evaluated import NumericRoot, SpecialFunction
 from sim2reason.solutions.algebra.expressions import Expression, Number

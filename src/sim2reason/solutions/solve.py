@@ -7,9 +7,6 @@ from math import radians
 
 import numpy as np
 
-from sim2reason.prose.phrases import Names
-from sim2reason.prose.voices import numeric
-from sim2reason.prose.writer import Writer
 from sim2reason.questions import KINDS, Study
 from sim2reason.questions.need import ELEMENTARY, Need
 from sim2reason.questions.parse_prompt import ParsedPrompt, parse_prompt
@@ -32,6 +29,9 @@ from sim2reason.solutions.writing.lexicon import UnreadError
 from sim2reason.solutions.writing.merging import merged
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import DEGREES
+from sim2reason.text.prose.phrases import Names
+from sim2reason.text.prose.voices import numeric
+from sim2reason.text.prose.writer import Writer
 
 
 def solve(setting: Setting, *, derived: bool = False, checked: bool = True) -> Solution:

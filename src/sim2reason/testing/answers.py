@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sim2reason.dsl.units import Dimension, parse_unit
-from sim2reason.quantities import QUANTITIES
 from sim2reason.questions import Study, Target
 from sim2reason.questions.choices import apart
+from sim2reason.scenes.dsl.units import Dimension, parse_unit
+from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.trace import Event, Trace
 from sim2reason.testing.specimens import Specimen
 

@@ -3,8 +3,8 @@
 from collections.abc import Iterable, Iterator
 from traceback import extract_tb
 
-from sim2reason.dsl.entity import Entity
 from sim2reason.errors import DrawError
+from sim2reason.scenes.dsl.entity import Entity
 from sim2reason.testing.checks import CHECKS
 from sim2reason.testing.report import Finding, Report
 from sim2reason.testing.specimens import Specimen, Specimens, specimen

@@ -2,9 +2,9 @@
 
 from dataclasses import dataclass, replace
 
-from sim2reason.dsl.fields import Law
-from sim2reason.dsl.mechanism import Coordinate, Mechanism, RigidBody
-from sim2reason.dsl.vectors import Maths, Number, Region, Triple, Vector
+from sim2reason.scenes.dsl.fields import Law
+from sim2reason.scenes.dsl.mechanism import Coordinate, Mechanism, RigidBody
+from sim2reason.scenes.dsl.vectors import Maths, Number, Region, Triple, Vector
 
 
 def polar(vector: Triple) -> Triple:

@@ -10,10 +10,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Coordinate, Force, Line, Mechanism
-from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.vectors import minus
-from sim2reason.quantities import QUANTITIES
+from sim2reason.scenes.dsl.mechanism import Coordinate, Force, Line, Mechanism
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.vectors import minus
+from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.trace import Trace
 
 NODES = 10  # of each piece of an interval between events, for Gauss and Legendre

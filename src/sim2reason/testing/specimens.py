@@ -5,20 +5,20 @@ from dataclasses import dataclass
 import numpy as np
 from pydantic import ValidationError
 
-from sim2reason.dsl.choices import choices, closed
-from sim2reason.dsl.entity import Entity, Named
-from sim2reason.dsl.model import draw
-from sim2reason.dsl.scene import Scene
+from sim2reason.base.lazy import cached_property
 from sim2reason.errors import DrawError, SceneError, SimulationError, UnsupportedError
-from sim2reason.lazy import cached_property
-from sim2reason.prose.description import Description, describe
 from sim2reason.questions import Study, Words
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.targets import Targets, targets
-from sim2reason.scene_files import dump
+from sim2reason.scenes.dsl.choices import choices, closed
+from sim2reason.scenes.dsl.entity import Entity, Named
+from sim2reason.scenes.dsl.model import draw
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.files import dump
 from sim2reason.simulation.certify import Certificate, witnessed
 from sim2reason.simulation.trace import Trace
 from sim2reason.testing.report import Finding
+from sim2reason.text.prose.description import Description, describe
 
 IT = "it"  # what the entity is called in its scenes
 SAMPLES = 41

@@ -6,14 +6,14 @@ from typing import Any, cast
 import numpy as np
 from pydantic import ValidationError
 
-from sim2reason.dsl.body import Body
-from sim2reason.dsl.entity import Part
-from sim2reason.dsl.model import Model, Parameter, rebuilt
-from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
-from sim2reason.prose.description import describe
-from sim2reason.prose.voices import numeric
 from sim2reason.questions import Study
+from sim2reason.scenes.dsl.body import Body
+from sim2reason.scenes.dsl.entity import Part
+from sim2reason.scenes.dsl.model import Model, Parameter, rebuilt
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.text.prose.description import describe
+from sim2reason.text.prose.voices import numeric
 
 
 def changed(scene: Scene, numbers: Mapping[str, float]) -> Scene | None:

@@ -4,9 +4,9 @@ from importlib.metadata import PackageNotFoundError, version
 from importlib.util import find_spec
 from typing import Any
 
+from sim2reason.base.optional import optional
 from sim2reason.errors import MissingExtraError
-from sim2reason.optional import optional
-from sim2reason.policies.parts.hub import quiet
+from sim2reason.evaluation.policies.parts.hub import quiet
 
 __all__ = ["EXTRA", "External", "is_main_process", "library", "quiet", "require", "versions", "without_cudnn_attention"]
 

@@ -9,15 +9,15 @@ import numpy as np
 from annotated_types import Ge, Gt, Le, MinLen
 from pydantic import Field, ValidationError
 
+from sim2reason.base.settings import first_fault, settings_in
 from sim2reason.datasets.contamination import Benchmarks
+from sim2reason.datasets.exports import EXPORTS, Export, Place
 from sim2reason.datasets.generate import configured
-from sim2reason.datasets.item import Record
 from sim2reason.datasets.lazy import MOST, LazyProblems
 from sim2reason.datasets.plan import ALL, MAKER, TRAIN
-from sim2reason.datasets.request import LARGEST, SI
 from sim2reason.errors import DatasetError, EvaluationError, Sim2ReasonError
-from sim2reason.exports import EXPORTS, Export, Place
-from sim2reason.policies.parts.settings import first_fault, settings_in
+from sim2reason.generation.item import Record
+from sim2reason.generation.request import LARGEST, SI
 
 __all__ = ["LazyRows", "LazySettings", "Rows"]
 

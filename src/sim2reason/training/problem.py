@@ -4,7 +4,7 @@ from typing import Any
 
 from pydantic import BaseModel, ConfigDict
 
-from sim2reason.benchmarks import BenchmarkItem
+from sim2reason.evaluation.benchmarks import BenchmarkItem
 
 __all__ = ["Problem"]
 

@@ -6,8 +6,8 @@ from typing import Any
 
 from pydantic import BaseModel, ConfigDict, JsonValue, ValidationError
 
+from sim2reason.base.settings import first_fault
 from sim2reason.errors import TrainingError
-from sim2reason.policies.parts.settings import first_fault
 from sim2reason.training.curriculum import Curriculum
 from sim2reason.training.prefetch import Prefetcher
 from sim2reason.training.problem import Problem

@@ -9,9 +9,9 @@ from typing import TypeVar
 
 from pydantic import JsonValue, ValidationError
 
-from sim2reason.datasets.atomic_files import TEMPORARY, canonical, put_text
-from sim2reason.datasets.item import Record
+from sim2reason.base.atomic_files import TEMPORARY, canonical, put_text
 from sim2reason.errors import TrainingError
+from sim2reason.generation.item import Record
 from sim2reason.training.extras import versions
 
 __all__ = ["RESULT", "RL_PLAN", "SFT_PLAN", "claim", "finish", "result_in"]

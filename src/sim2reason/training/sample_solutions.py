@@ -14,17 +14,17 @@ from collections.abc import Callable, Iterator
 from importlib.metadata import version
 from pathlib import Path
 
-from sim2reason.benchmarks.own import benchmark_item
-from sim2reason.benchmarks.runs.outcomes import Ending, ending_of
-from sim2reason.benchmarks.scoring import SCORINGS
-from sim2reason.datasets.atomic_files import canonical, checksum, put, put_text
+from sim2reason.base.atomic_files import canonical, checksum, put, put_text
 from sim2reason.datasets.dataset import Dataset
-from sim2reason.datasets.item import Item, Record
 from sim2reason.datasets.plan import ALL, Names
-from sim2reason.datasets.policy_pass import MOST_TRIES, SAMPLES, PolicyPass, PolicySource, asked
 from sim2reason.errors import EvaluationError
-from sim2reason.policies import Completion
-from sim2reason.policies.samples.journal import FinishedSample, finished
+from sim2reason.evaluation.benchmarks.own import benchmark_item
+from sim2reason.evaluation.benchmarks.runs.outcomes import Ending, ending_of
+from sim2reason.evaluation.benchmarks.scoring import SCORINGS
+from sim2reason.evaluation.policies import Completion
+from sim2reason.evaluation.policies.samples.journal import FinishedSample, finished
+from sim2reason.evaluation.policy_pass import MOST_TRIES, SAMPLES, PolicyPass, PolicySource, asked
+from sim2reason.generation.item import Item, Record
 
 __all__ = ["RESULT", "SOLUTIONS", "Sampled", "sample_solutions"]
 

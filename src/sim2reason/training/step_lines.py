@@ -4,7 +4,7 @@ import json
 import os
 from pathlib import Path
 
-from sim2reason.datasets.atomic_files import put_text
+from sim2reason.base.atomic_files import put_text
 
 __all__ = ["StepLines"]
 

@@ -6,10 +6,10 @@ import numpy as np
 
 from agreement import Agreement, axis, rate
 from lagrangian import bodies
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.mechanism import ZERO, Y, Z
-from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.vectors import Tensor
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.mechanism import ZERO, Y, Z
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.vectors import Tensor
 
 TWO = np.linspace(0.0, 2.0, 41)
 

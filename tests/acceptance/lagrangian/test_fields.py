@@ -7,11 +7,11 @@ import pytest
 
 from agreement import Agreement, axis, rate
 from lagrangian import fields
-from sim2reason.dsl.builder import Builder, Frame
-from sim2reason.dsl.fields import Magnetic, Profile, Push, Resistance
-from sim2reason.dsl.mechanism import ZERO, X, Y, Z
-from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.vectors import DiscRegion
+from sim2reason.scenes.dsl.builder import Builder, Frame
+from sim2reason.scenes.dsl.fields import Magnetic, Profile, Push, Resistance
+from sim2reason.scenes.dsl.mechanism import ZERO, X, Y, Z
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.vectors import DiscRegion
 from sim2reason.simulation.engines.exact import simulate
 
 Pair = tuple[float, float]

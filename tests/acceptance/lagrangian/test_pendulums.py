@@ -7,10 +7,10 @@ import pytest
 
 from agreement import Agreement, about_y, axis, in_plane, plane_body, rate, speeds
 from lagrangian import pendulums
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.mechanism import Mechanism, X, Y, Z
-from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.vectors import Vector
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.mechanism import Mechanism, X, Y, Z
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.vectors import Vector
 
 TWO = np.linspace(0.0, 2.0, 41)
 

@@ -7,9 +7,9 @@ import pytest
 
 from agreement import Agreement, about_y, axis, plane_body, rate
 from lagrangian import rolling
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.mechanism import Mechanism, X, Y, Z
-from sim2reason.dsl.state import Array, State
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.mechanism import Mechanism, X, Y, Z
+from sim2reason.scenes.dsl.state import Array, State
 
 TWO = np.linspace(0.0, 2.0, 41)
 RUBS = {"slip": "slip|stick", "stick": "stick", "lift": "lift"}

@@ -102,7 +102,7 @@ def test_other_processes_of_a_script_are_as_ever(tmp_path: Path) -> None:
 
 
 OWN = """
-from sim2reason.filters import FILTERS
+from sim2reason.generation.filters import FILTERS
 
 @FILTERS.register("own")
 def own(candidate):
@@ -113,7 +113,7 @@ def own(candidate):
 def test_what_a_script_imports_is_known_to_workers(tmp_path: Path) -> None:
     (tmp_path / "own_members.py").write_text(OWN)
     (tmp_path / "own_maker.py").write_text(
-        "from fake_makers import steady\nfrom sim2reason.filters import FILTERS\n\n"
+        "from fake_makers import steady\nfrom sim2reason.generation.filters import FILTERS\n\n"
         "def make(request):\n    FILTERS['own']\n    return steady(request)\n"
     )
     order = ORDER.replace("fake_makers:steady", "own_maker:make")

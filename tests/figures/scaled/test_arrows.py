@@ -4,13 +4,13 @@ from itertools import combinations
 
 import pytest
 
-from sim2reason.datasets.random_scenes import sample
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.labels import HEAD
 from sim2reason.figures.scaled.arrows import APART, SHORTEST
 from sim2reason.figures.shapes import LineShape
 from sim2reason.figures.vectors import length_inside, unit
-from sim2reason.prose.description import describe
+from sim2reason.generation.random_scenes import sample
+from sim2reason.text.prose.description import describe
 
 
 @pytest.mark.parametrize("numbers", [False, True])

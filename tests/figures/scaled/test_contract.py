@@ -9,22 +9,22 @@ import pytest
 from pydantic import ValidationError
 
 from figure_parts import RodPendulum, Slider, scene_of
-from sim2reason.bodies.pendulums import Ball, LightRod
-from sim2reason.bodies.sliders import Block
-from sim2reason.dsl.body import BODIES, BodyLook
-from sim2reason.dsl.choices import choices, closed
-from sim2reason.dsl.connection import CONNECTIONS, Connection, Link
-from sim2reason.dsl.entity import ENTITIES, Named, outer_ports
-from sim2reason.dsl.model import draw
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.string_ends import FixedSupport
 from sim2reason.errors import SceneError
 from sim2reason.figures import canvas
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.scaled.lines import PIVOT
 from sim2reason.figures.shapes import Arc, Area, Drawing, LineShape, Shape, outline
 from sim2reason.figures.vectors import common
-from sim2reason.prose.description import describe
+from sim2reason.scenes.bodies.pendulums import Ball, LightRod
+from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.dsl.body import BODIES, BodyLook
+from sim2reason.scenes.dsl.choices import choices, closed
+from sim2reason.scenes.dsl.connection import CONNECTIONS, Connection, Link
+from sim2reason.scenes.dsl.entity import ENTITIES, Named, outer_ports
+from sim2reason.scenes.dsl.model import draw
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.string_ends import FixedSupport
+from sim2reason.text.prose.description import describe
 
 TRIES = 60
 

@@ -5,15 +5,15 @@ from math import pi
 import pytest
 
 from figure_parts import scene_of
-from sim2reason.dsl.body import Body, Small
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.entity import Entity
-from sim2reason.dsl.fields import Law, Magnetic, Profile, Push, Resistance
-from sim2reason.dsl.mechanism import X, Y, Z
-from sim2reason.dsl.vectors import BoxRegion, DiscRegion, HalfSpace, Region
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.shapes import Arc, Area, Drawing, LineShape
 from sim2reason.figures.vectors import cross, degrees
+from sim2reason.scenes.dsl.body import Body, Small
+from sim2reason.scenes.dsl.builder import Frame
+from sim2reason.scenes.dsl.entity import Entity
+from sim2reason.scenes.dsl.fields import Law, Magnetic, Profile, Push, Resistance
+from sim2reason.scenes.dsl.mechanism import X, Y, Z
+from sim2reason.scenes.dsl.vectors import BoxRegion, DiscRegion, HalfSpace, Region
 
 FIELDS: list[tuple[Law, Region | None]] = []
 

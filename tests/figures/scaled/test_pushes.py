@@ -6,17 +6,17 @@ from typing import Annotated
 import pytest
 
 from sim2reason.authoring import Angle, Entity, Force, Frame, Profile, Push, Range, add, either, scale
-from sim2reason.bodies.planes import Plane
-from sim2reason.bodies.sliders import Block
 from sim2reason.datasets.ask import ask
 from sim2reason.datasets.solve import solve
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.parts.mass_systems import FRICTION_ON_PLANE
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.shapes import LineShape
-from sim2reason.prose import describe
+from sim2reason.scenes.bodies.planes import Plane
+from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.parts.mass_systems import FRICTION_ON_PLANE
 from sim2reason.testing import check_entity
+from sim2reason.text.prose import describe
 from spoiled import registered
 
 G, SLOPE, FRICTION, MASS, FORCE, TILT = 9.8, radians(20.0), 0.2, 2.0, 15.0, radians(25.0)

@@ -5,30 +5,30 @@ from math import acos, asin, hypot, pi, sin, sqrt
 import pytest
 
 from figure_parts import LEANING, RodPendulum, Slider, scene_of
-from sim2reason.bodies.pendulums import Ball, Cord, LightRod
-from sim2reason.bodies.planes import Incline, Plane, Track
-from sim2reason.bodies.polygonal_prism import LongPrism
-from sim2reason.bodies.pulleys import FixedPulley
-from sim2reason.bodies.sliders import Block, Puck, Slab, SlidingBall, Table
-from sim2reason.dsl.body import Axial, Body, BodyLook, Capped, Rectangular, Silhouette, Spherical
-from sim2reason.dsl.builder import Axes, Frame
-from sim2reason.dsl.connection import CONNECTIONS, Link
-from sim2reason.dsl.entity import Entity, Named
-from sim2reason.dsl.mechanism import X, Y, Z
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
-from sim2reason.entities.parts.mass_systems import Hanging
-from sim2reason.entities.pendulums import Pendulum
-from sim2reason.entities.projectile import Projectile
-from sim2reason.entities.pulleys import MassWithFixedPulley
-from sim2reason.entities.rolling import TumblingPrism
-from sim2reason.entities.slopes import TwoSideMassPlane
-from sim2reason.entities.stacked_mass_plane import StackedMassPlane
-from sim2reason.entities.string_ends import FixedSupport
-from sim2reason.entities.two_d_collision_plane import TwoDCollisionPlane
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.shapes import Arc, Area, Drawing, LineShape
 from sim2reason.figures.vectors import Polygon, cross, degrees
+from sim2reason.scenes.bodies.pendulums import Ball, Cord, LightRod
+from sim2reason.scenes.bodies.planes import Incline, Plane, Track
+from sim2reason.scenes.bodies.polygonal_prism import LongPrism
+from sim2reason.scenes.bodies.pulleys import FixedPulley
+from sim2reason.scenes.bodies.sliders import Block, Puck, Slab, SlidingBall, Table
+from sim2reason.scenes.dsl.body import Axial, Body, BodyLook, Capped, Rectangular, Silhouette, Spherical
+from sim2reason.scenes.dsl.builder import Axes, Frame
+from sim2reason.scenes.dsl.connection import CONNECTIONS, Link
+from sim2reason.scenes.dsl.entity import Entity, Named
+from sim2reason.scenes.dsl.mechanism import X, Y, Z
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.complex_collision_plane import ComplexCollisionPlane
+from sim2reason.scenes.entities.parts.mass_systems import Hanging
+from sim2reason.scenes.entities.pendulums import Pendulum
+from sim2reason.scenes.entities.projectile import Projectile
+from sim2reason.scenes.entities.pulleys import MassWithFixedPulley
+from sim2reason.scenes.entities.rolling import TumblingPrism
+from sim2reason.scenes.entities.slopes import TwoSideMassPlane
+from sim2reason.scenes.entities.stacked_mass_plane import StackedMassPlane
+from sim2reason.scenes.entities.string_ends import FixedSupport
+from sim2reason.scenes.entities.two_d_collision_plane import TwoDCollisionPlane
 
 
 def texts(drawn: Drawing) -> set[str]:

@@ -4,13 +4,6 @@ from math import cos, hypot, radians, sin, sqrt
 
 import pytest
 
-from sim2reason.bodies.charges import ChargedBead, Launched, Released
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.em_entity import EmEntity
-from sim2reason.entities.parts.fields.linear import LinearElectric
-from sim2reason.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
-from sim2reason.prose.description import describe
 from sim2reason.questions import KINDS, Study, Words
 from sim2reason.questions.following import motion_of
 from sim2reason.questions.functionals import FUNCTIONALS
@@ -18,7 +11,14 @@ from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.times import WholeMotion
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.prompt import words_of
+from sim2reason.scenes.bodies.charges import ChargedBead, Launched, Released
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.em_entity import EmEntity
+from sim2reason.scenes.entities.parts.fields.linear import LinearElectric
+from sim2reason.scenes.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
 from sim2reason.solutions import Setting, solve
+from sim2reason.text.prose.description import describe
 
 BEAD = "fields.particle"
 MASS, CHARGE, SPEED, B, FIELD, SLOPE = 2.0, 3.0, 2.0, 0.8, 1.1, 0.7

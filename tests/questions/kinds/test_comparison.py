@@ -10,9 +10,7 @@ import pytest
 
 from motions import orbit
 from plain_scenes import G, atwood, half_atwood, ramp
-from sim2reason.datasets.question_search import QuestionSearch
-from sim2reason.dsl.scene import Scene
-from sim2reason.prose.description import describe
+from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.questions import KINDS, MODES, Query, Study, Target, Words
 from sim2reason.questions.kinds.comparison import ComparisonQuery
 from sim2reason.questions.kinds.parts.nested import stripped
@@ -22,8 +20,10 @@ from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.targets import targets
+from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.certify import witnessed
 from sim2reason.simulation.scenes import simulate
+from sim2reason.text.prose.description import describe
 
 KIND = KINDS["comparison"]
 

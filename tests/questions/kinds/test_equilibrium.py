@@ -10,24 +10,24 @@ from drawn_entities import drawn_entity
 from lone_entities import alone
 from motions import Motion, rod_pendulum, string_pendulum
 from plain_scenes import atwood
-from sim2reason.datasets.random_scenes import generator
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.measures import Count
-from sim2reason.dsl.mechanism import GRAVITY, Mechanism, X, Z
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.spring_block import SpringBlock
 from sim2reason.errors import SceneError
-from sim2reason.prose.description import describe
+from sim2reason.generation.random_scenes import generator
+from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import KINDS, Query, Study, Target, Words
 from sim2reason.questions.kinds.equilibrium import EquilibriumQuery
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.targets import targets
-from sim2reason.recipes import RECIPES
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.measures import Count
+from sim2reason.scenes.dsl.mechanism import GRAVITY, Mechanism, X, Z
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.spring_block import SpringBlock
 from sim2reason.simulation.engines.exact import simulate
 from sim2reason.simulation.rest.equilibrium import equilibrium
 from sim2reason.simulation.scenes import simulate as simulate_scene
+from sim2reason.text.prose.description import describe
 
 G = GRAVITY
 KIND = KINDS["equilibrium"]

@@ -9,10 +9,8 @@ import pytest
 
 from motions import orbit
 from plain_scenes import G, atwood, half_atwood
-from sim2reason.datasets.question_search import QuestionSearch
-from sim2reason.datasets.random_scenes import sample
-from sim2reason.dsl.scene import Scene
-from sim2reason.prose.description import describe
+from sim2reason.generation.question_search import QuestionSearch
+from sim2reason.generation.random_scenes import sample
 from sim2reason.questions import KINDS, MODES, Query, Study, Target, Words
 from sim2reason.questions.kinds.limit import LimitQuery
 from sim2reason.questions.moments.times import AllAlong
@@ -20,12 +18,14 @@ from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.targets import targets
+from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.certify import witnessed
 from sim2reason.simulation.scenes import simulate
 from sim2reason.solutions import solve
 from sim2reason.solutions.closed_forms import closed_form
 from sim2reason.testing.solutions.faults import faults
 from sim2reason.testing.solutions.reading import read
+from sim2reason.text.prose.description import describe
 from worked import asked
 
 KIND = KINDS["limit"]

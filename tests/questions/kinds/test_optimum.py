@@ -9,12 +9,7 @@ import pytest
 
 from motions import orbit
 from plain_scenes import arm
-from sim2reason.bodies.pendulums import Ball
-from sim2reason.datasets.question_search import QuestionSearch
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.projectile import Projectile
-from sim2reason.prose.description import describe
+from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.questions import KINDS, MODES, Query, Study, Target, Words
 from sim2reason.questions.following import motion_of
 from sim2reason.questions.kinds.optimum import OptimumQuery
@@ -25,9 +20,14 @@ from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.targets import targets
+from sim2reason.scenes.bodies.pendulums import Ball
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.projectile import Projectile
 from sim2reason.solutions import solve
 from sim2reason.testing.solutions.faults import faults
 from sim2reason.testing.solutions.reading import read
+from sim2reason.text.prose.description import describe
 from worked import asked
 
 KIND = KINDS["optimum"]

@@ -7,18 +7,18 @@ import pytest
 
 from motions import light_rod, orbit, rod_pendulum, spring_block
 from plain_scenes import atwood
-from sim2reason.datasets.random_scenes import generator
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.mechanism import Mechanism, X, Y, Z
-from sim2reason.prose.description import describe
+from sim2reason.generation.random_scenes import generator
+from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import KINDS, Study, Words
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of
-from sim2reason.recipes import RECIPES
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.mechanism import Mechanism, X, Y, Z
 from sim2reason.simulation.engines.exact import simulate
 from sim2reason.simulation.scenes import simulate as simulate_scene
+from sim2reason.text.prose.description import describe
 
 G = 9.8
 KIND = KINDS["period"]

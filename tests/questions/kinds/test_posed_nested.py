@@ -5,16 +5,16 @@ from math import atan, degrees, sqrt
 import pytest
 
 from plain_scenes import G, atwood, ramp, row
-from sim2reason.bodies.pendulums import Ball
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.projectile import Projectile
 from sim2reason.errors import TextError
-from sim2reason.prose.description import describe
 from sim2reason.questions.following import motion_of
 from sim2reason.questions.posing import posed
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.structured import StructuredQuestion
+from sim2reason.scenes.bodies.pendulums import Ball
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.projectile import Projectile
+from sim2reason.text.prose.description import describe
 
 FLIGHT = Scene(
     entities=(Named(name="throw", entity=Projectile(ball=Ball(mass=0.5), height=20.0, speed=15.0, angle=40.0)),)

@@ -9,15 +9,13 @@ import pytest
 from plain_scenes import atwood
 from sim2reason import rewards
 from sim2reason.datasets.grade import grade
-from sim2reason.datasets.item import Answer, Distractor, Item
 from sim2reason.datasets.items import item
-from sim2reason.datasets.options import OTHER, options_of_two
-from sim2reason.datasets.question_search import QuestionSearch
-from sim2reason.datasets.random_scenes import sample
-from sim2reason.dsl.scene import Scene
 from sim2reason.errors import TextError
+from sim2reason.generation.item import Answer, Distractor, Item
+from sim2reason.generation.options import OTHER, options_of_two
+from sim2reason.generation.question_search import QuestionSearch
+from sim2reason.generation.random_scenes import sample
 from sim2reason.grading import Outcome
-from sim2reason.prose.description import describe
 from sim2reason.questions import KINDS, MODES
 from sim2reason.questions.choice_prompts import LETTERS, ChoicePrompt, parse_choice
 from sim2reason.questions.following import motion_of
@@ -27,6 +25,8 @@ from sim2reason.questions.posing import posed
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.targets import targets
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.text.prose.description import describe
 
 NAMES = "which_first", "which_greater"
 CELLS = [

@@ -6,18 +6,18 @@ from math import pi, radians, sin, tan
 import numpy as np
 import pytest
 
-from sim2reason.bodies.charges import ChargedBead, Launched, Released
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.em_entity import EmEntity
-from sim2reason.entities.parts.fields.drag import LinearDrag
-from sim2reason.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
-from sim2reason.prose.description import describe
 from sim2reason.questions import Moment
 from sim2reason.questions.following import motion_of
 from sim2reason.questions.moments.distances import Away
 from sim2reason.questions.moments.fields import AcrossField, VelocityReturned, VelocityTurned
 from sim2reason.questions.prompt import words_of
+from sim2reason.scenes.bodies.charges import ChargedBead, Launched, Released
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.em_entity import EmEntity
+from sim2reason.scenes.entities.parts.fields.drag import LinearDrag
+from sim2reason.scenes.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
+from sim2reason.text.prose.description import describe
 
 BEAD = "fields.particle"
 MASS, CHARGE, SPEED, B, FIELD = 2.0, 3.0, 2.0, 0.8, 1.1

@@ -3,15 +3,15 @@
 import numpy as np
 import pytest
 
-from sim2reason.bodies.planes import Plane
-from sim2reason.bodies.sliders import Slab
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.stacked_mass_plane import StackedMassPlane
-from sim2reason.prose.description import describe
 from sim2reason.questions.following import motion_of
 from sim2reason.questions.moments.contacts import StoppedSlipping
 from sim2reason.questions.prompt import words_of
+from sim2reason.scenes.bodies.planes import Plane
+from sim2reason.scenes.bodies.sliders import Slab
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.stacked_mass_plane import StackedMassPlane
+from sim2reason.text.prose.description import describe
 
 
 @pytest.mark.parametrize(("angle", "offered"), [(28.0, False), (5.0, True)])

@@ -6,12 +6,12 @@ from pathlib import Path
 import pytest
 
 from sim2reason.errors import TextError
-from sim2reason.prose.description import describe
 from sim2reason.questions.following import motion_of
 from sim2reason.questions.ordinary.asides import without_asides
 from sim2reason.questions.ordinary.understanding import understood
 from sim2reason.questions.prompt import words_of
-from sim2reason.scene_files import load
+from sim2reason.scenes.files import load
+from sim2reason.text.prose.description import describe
 
 DATA = Path(__file__).parents[2] / "data"
 

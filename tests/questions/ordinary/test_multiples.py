@@ -5,13 +5,13 @@ from pathlib import Path
 import pytest
 
 from sim2reason.errors import TextError
-from sim2reason.prose.description import describe
 from sim2reason.questions.following import motion_of
 from sim2reason.questions.ordinary.multiples import LONG, in_numbers
 from sim2reason.questions.posing import posed
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.structured import StructuredQuestion
-from sim2reason.scene_files import load
+from sim2reason.scenes.files import load
+from sim2reason.text.prose.description import describe
 
 SCENES = Path(__file__).parents[2] / "data" / "ordinary_scenes"
 

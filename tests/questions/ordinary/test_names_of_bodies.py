@@ -5,9 +5,9 @@ from math import sqrt
 import pytest
 
 from sim2reason.datasets.solve import solve
-from sim2reason.dsl.scene import Scene
 from sim2reason.errors import TextError
-from sim2reason.scene_files import loads
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.files import loads
 
 G = 9.8
 

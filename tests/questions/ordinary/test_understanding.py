@@ -9,9 +9,7 @@ from typing import NamedTuple
 
 import pytest
 
-from sim2reason.dsl.units import parse_unit
 from sim2reason.errors import TextError
-from sim2reason.prose.description import describe
 from sim2reason.questions import Words
 from sim2reason.questions.following import FollowedMotion, motion_of
 from sim2reason.questions.ordinary.hearing import hear
@@ -19,7 +17,9 @@ from sim2reason.questions.ordinary.nearest import nearest_said
 from sim2reason.questions.ordinary.reading import readings
 from sim2reason.questions.ordinary.understanding import understood
 from sim2reason.questions.prompt import words_of
-from sim2reason.scene_files import load
+from sim2reason.scenes.dsl.units import parse_unit
+from sim2reason.scenes.files import load
+from sim2reason.text.prose.description import describe
 
 DATA = Path(__file__).parents[2] / "data"
 EXACT = 1e-6  # relative

@@ -7,7 +7,6 @@ from time import perf_counter
 import pytest
 
 from sim2reason.errors import TextError
-from sim2reason.prose.description import describe
 from sim2reason.questions.following import FollowedMotion, motion_of
 from sim2reason.questions.ordinary.hearing import hear
 from sim2reason.questions.ordinary.understanding import understood
@@ -15,7 +14,8 @@ from sim2reason.questions.posing import posed
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.words import Words
-from sim2reason.scene_files import load
+from sim2reason.scenes.files import load
+from sim2reason.text.prose.description import describe
 
 SCENES = Path(__file__).parents[2] / "data" / "ordinary_scenes"
 

@@ -7,19 +7,7 @@ import numpy as np
 import pytest
 
 from plain_scenes import atwood, massive, ramp, squeezed
-from sim2reason.bodies.planes import Incline, Plane, Track
-from sim2reason.bodies.round_bodies import Hoop
-from sim2reason.bodies.sliders import Block, Glider
-from sim2reason.bodies.space import DeepSpace, LevelGround, Rocket
-from sim2reason.bodies.spring import Spring
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
-from sim2reason.entities.parts.rolling import Rough, Sliding, Spinning
-from sim2reason.entities.rocket_entity import RocketEntity
-from sim2reason.entities.rolling import RollingEntity
-from sim2reason.entities.springs_on_planes import SpringMassIncline
-from sim2reason.prose.description import describe
+from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import KINDS, MODES, Query, Question, Study, Target
 from sim2reason.questions.moments.times import AtTime, WholeMotion
 from sim2reason.questions.parse_question import parse_question
@@ -29,8 +17,20 @@ from sim2reason.questions.regimes.contacts import CollideInTurn, SlidesThroughou
 from sim2reason.questions.regimes.directions import StartsAcute
 from sim2reason.questions.regimes.rockets import BurntOut
 from sim2reason.questions.spoken import OwnSymbol
-from sim2reason.recipes import RECIPES
-from sim2reason.scene_files import loads
+from sim2reason.scenes.bodies.planes import Incline, Plane, Track
+from sim2reason.scenes.bodies.round_bodies import Hoop
+from sim2reason.scenes.bodies.sliders import Block, Glider
+from sim2reason.scenes.bodies.space import DeepSpace, LevelGround, Rocket
+from sim2reason.scenes.bodies.spring import Spring
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.complex_collision_plane import ComplexCollisionPlane
+from sim2reason.scenes.entities.parts.rolling import Rough, Sliding, Spinning
+from sim2reason.scenes.entities.rocket_entity import RocketEntity
+from sim2reason.scenes.entities.rolling import RollingEntity
+from sim2reason.scenes.entities.springs_on_planes import SpringMassIncline
+from sim2reason.scenes.files import loads
+from sim2reason.text.prose.description import describe
 
 
 def study(scene: Scene, until: float = 1.0) -> Study:

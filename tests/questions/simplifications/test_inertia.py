@@ -6,22 +6,22 @@ import numpy as np
 import pytest
 
 from plain_scenes import G, arm, massive, ramp
-from sim2reason.bodies.caps import Hemisphere
-from sim2reason.bodies.holed_bodies import BoredCylinder, SphereWithHole
-from sim2reason.bodies.pendulums import Bar
-from sim2reason.bodies.planes import Incline, Plane
-from sim2reason.bodies.round_bodies import Cylinder, HollowSphere, Sphere, ThickPipe
-from sim2reason.bodies.sliders import Block
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.solids import Shape
-from sim2reason.entities.parts.pieces import AxialPiece, BarPiece, CappedPiece, RoundPiece, WeldedPiece
-from sim2reason.entities.parts.rolling import Hole, NoSlipping
-from sim2reason.entities.pendulums import RotationEntity
-from sim2reason.entities.rolling import RollingEntity
-from sim2reason.entities.slopes import TwoSideMassPlane
 from sim2reason.questions import Query, Study, Target
 from sim2reason.questions.simplifications import SIMPLIFICATIONS
+from sim2reason.scenes.bodies.caps import Hemisphere
+from sim2reason.scenes.bodies.holed_bodies import BoredCylinder, SphereWithHole
+from sim2reason.scenes.bodies.pendulums import Bar
+from sim2reason.scenes.bodies.planes import Incline, Plane
+from sim2reason.scenes.bodies.round_bodies import Cylinder, HollowSphere, Sphere, ThickPipe
+from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.solids import Shape
+from sim2reason.scenes.entities.parts.pieces import AxialPiece, BarPiece, CappedPiece, RoundPiece, WeldedPiece
+from sim2reason.scenes.entities.parts.rolling import Hole, NoSlipping
+from sim2reason.scenes.entities.pendulums import RotationEntity
+from sim2reason.scenes.entities.rolling import RollingEntity
+from sim2reason.scenes.entities.slopes import TwoSideMassPlane
 
 ROLLER = "roller.body"
 R, HOLE, OFFSET = 0.2, 0.1, 0.06  # m

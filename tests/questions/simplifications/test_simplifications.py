@@ -8,17 +8,18 @@ import pytest
 
 from motions import rod_pendulum
 from plain_scenes import G, atwood, half_atwood, massive, ramp, table
-from sim2reason.bodies.space import HeavyPlanet, Star
-from sim2reason.datasets.random_scenes import generator
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.solar_system import SolarSystem
 from sim2reason.errors import SceneError
+from sim2reason.generation.random_scenes import generator
+from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions import Query, Study, Target
+from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty
 from sim2reason.questions.moments.distances import Away
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.simplifications import SIMPLIFICATIONS
-from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty
+from sim2reason.scenes.bodies.space import HeavyPlanet, Star
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.solar_system import SolarSystem
 
 BLOCK, OTHER = "one.system.blocks.0", "other.system.blocks.0"
 ASKED = Query("state", Target("acceleration", BLOCK))  # at no moment: of all the motion

@@ -7,16 +7,16 @@ import pytest
 
 from motions import Motion, orbit
 from plain_scenes import G, atwood, bight, half_atwood, ramp
-from sim2reason.bodies.pulleys import FixedPulley, MovablePulley
-from sim2reason.bodies.sliders import Block
-from sim2reason.connections.string import String
-from sim2reason.dsl.connection import Link
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.parts.mass_systems import Hanging
-from sim2reason.entities.pulleys import MassWithFixedPulley, MassWithMovablePulley
 from sim2reason.questions import Query, Study, Target
 from sim2reason.questions.simplifications import SIMPLIFICATIONS
+from sim2reason.scenes.bodies.pulleys import FixedPulley, MovablePulley
+from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.connections.string import String
+from sim2reason.scenes.dsl.connection import Link
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.parts.mass_systems import Hanging
+from sim2reason.scenes.entities.pulleys import MassWithFixedPulley, MassWithMovablePulley
 from sim2reason.simulation.trace import Trace
 
 BLOCK, OTHER = "one.system.blocks.0", "other.system.blocks.0"

@@ -5,10 +5,10 @@ import pytest
 
 import machines
 from scene_files import composed, write
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.mechanism import X, Z
-from sim2reason.dsl.vectors import scale
-from sim2reason.scene_files import load
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.mechanism import X, Z
+from sim2reason.scenes.dsl.vectors import scale
+from sim2reason.scenes.files import load
 from sim2reason.simulation.certify import certify
 from sim2reason.simulation.engines.exact import simulate as exactly
 from sim2reason.simulation.engines.mujoco import simulate as witnessed

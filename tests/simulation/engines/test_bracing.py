@@ -5,8 +5,8 @@ from math import asin, inf, sqrt
 import numpy as np
 import pytest
 
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.mechanism import Mechanism, X, Z
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.mechanism import Mechanism, X, Z
 from sim2reason.simulation.engines.exact.margins import greatest_least
 from sim2reason.simulation.trace import ENGINES
 

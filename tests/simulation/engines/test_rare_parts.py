@@ -5,10 +5,10 @@ from math import pi, sqrt
 import numpy as np
 import pytest
 
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.fields import Profile, Push
-from sim2reason.dsl.mechanism import ZERO, Mechanism, X, Z
 from sim2reason.errors import SimulationError
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.fields import Profile, Push
+from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism, X, Z
 from sim2reason.simulation.trace import ENGINES, Trace
 
 G = 9.8

@@ -5,10 +5,10 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.fields import Central
-from sim2reason.dsl.mechanism import Mechanism, X
 from sim2reason.errors import SimulationError
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.fields import Central
+from sim2reason.scenes.dsl.mechanism import Mechanism, X
 from sim2reason.simulation.engines.exact import engine
 from sim2reason.simulation.trace import ENGINES
 

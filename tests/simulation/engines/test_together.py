@@ -5,9 +5,9 @@ from math import acos, sqrt
 import numpy as np
 import pytest
 
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.fields import Profile, Push, Resistance
-from sim2reason.dsl.mechanism import Mechanism, X, Z
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.fields import Profile, Push, Resistance
+from sim2reason.scenes.dsl.mechanism import Mechanism, X, Z
 from sim2reason.simulation.trace import ENGINES
 
 TIMES = np.linspace(0.0, 2.0, 101)

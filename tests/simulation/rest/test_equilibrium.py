@@ -9,12 +9,13 @@ import pytest
 
 from motions import charge, driven_charge, orbit, pushed_block, rocket, rod_pendulum, rolling_ball
 from places_of_rest import equilibria
-from sim2reason.datasets.random_scenes import generator
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.fields import Profile, Push
-from sim2reason.dsl.mechanism import GRAVITY, ZERO, Mechanism, X, Y, Z
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
-from sim2reason.recipes import DIFFICULTIES, RECIPES
+from sim2reason.generation.random_scenes import generator
+from sim2reason.generation.recipes import RECIPES
+from sim2reason.questions.difficulty import DIFFICULTIES
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.fields import Profile, Push
+from sim2reason.scenes.dsl.mechanism import GRAVITY, ZERO, Mechanism, X, Y, Z
 from sim2reason.simulation.rest.equilibrium import equilibrium, lone_equilibrium, neighbour
 from spring_slopes import spring_slope
 

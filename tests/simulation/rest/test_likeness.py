@@ -5,8 +5,8 @@ from math import cos, radians, sin
 
 import pytest
 
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.rest.oscillation import alike_at_rest
 
 PLAIN = {"mass": 2.0, "stiffness": 80.0, "natural": 0.5, "start": 0.7, "speed": 0.0, "slope": 0.3}

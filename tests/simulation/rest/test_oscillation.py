@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from resting import RESTFUL, rests
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.displaced import displaced
-from sim2reason.dsl.fields import Magnetic, Profile, Resistance
-from sim2reason.dsl.mechanism import GRAVITY, ZERO, Mechanism, X, Y, Z
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.displaced import displaced
+from sim2reason.scenes.dsl.fields import Magnetic, Profile, Resistance
+from sim2reason.scenes.dsl.mechanism import GRAVITY, ZERO, Mechanism, X, Y, Z
 from sim2reason.simulation.engines.exact import simulate
 from sim2reason.simulation.rest.equilibrium import equilibrium, neighbour
 from sim2reason.simulation.rest.oscillation import oscillations

@@ -6,9 +6,9 @@ from math import acos, cos, degrees, hypot, isclose, pi, radians, sin, sqrt
 import pytest
 
 from places_of_rest import equilibria
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.mechanism import GRAVITY, X, Y, Z
 from sim2reason.errors import SimulationError, UnsupportedError
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.mechanism import GRAVITY, X, Y, Z
 
 G = GRAVITY
 

@@ -6,10 +6,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sim2reason.dsl.body import BODIES
-from sim2reason.dsl.connection import CONNECTIONS
-from sim2reason.dsl.entity import ENTITIES
-from sim2reason.dsl.model import field_types
+from sim2reason.scenes.dsl.body import BODIES
+from sim2reason.scenes.dsl.connection import CONNECTIONS
+from sim2reason.scenes.dsl.entity import ENTITIES
+from sim2reason.scenes.dsl.model import field_types
 from sim2reason.solutions.algebra.expressions import ONE, Expression, Number, Quotient, Sum, Symbol
 from sim2reason.solutions.algebra.factors import factors_of, has_fraction, never_negative
 from sim2reason.solutions.algebra.functions import PI, Absolute, Call, Power, Root

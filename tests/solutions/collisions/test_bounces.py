@@ -4,16 +4,16 @@ from math import cos, radians, sin, sqrt
 
 import pytest
 
-from sim2reason.bodies.pendulums import Ball
-from sim2reason.datasets.make import make
-from sim2reason.datasets.request import Request
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.projectile import Projectile
+from sim2reason.generation.make import make
+from sim2reason.generation.request import Request
 from sim2reason.questions import Query, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.bounces import Bounced
 from sim2reason.questions.moments.distances import Away
+from sim2reason.scenes.bodies.pendulums import Ball
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.projectile import Projectile
 from worked import derived
 
 BALL, G = "field.ball", 9.8

@@ -4,10 +4,10 @@ from math import sqrt
 
 import pytest
 
-from sim2reason.bodies.sliders import Puck, Table
-from sim2reason.entities.two_d_collision_plane import TwoDCollisionPlane
 from sim2reason.questions import Query, Target
 from sim2reason.questions.moments.collisions import Collided
+from sim2reason.scenes.bodies.sliders import Puck, Table
+from sim2reason.scenes.entities.two_d_collision_plane import TwoDCollisionPlane
 from worked import answer
 
 SPEED, APART, RADIUS, BOUNCE = 2.013, 1.0, 0.1, 0.6

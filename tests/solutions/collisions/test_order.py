@@ -5,20 +5,20 @@ from math import cos, hypot, radians, sin
 
 import pytest
 
-from sim2reason.bodies.planes import Track
-from sim2reason.bodies.sliders import Glider, Puck, Table
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
-from sim2reason.entities.two_d_collision_plane import TwoDCollisionPlane
-from sim2reason.quantities.subjects import Sense
-from sim2reason.quantities.subjects.pairs import AND
 from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.collisions import Collided, LastCollision
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import HighestPoint
+from sim2reason.scenes.bodies.planes import Track
+from sim2reason.scenes.bodies.sliders import Glider, Puck, Table
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.complex_collision_plane import ComplexCollisionPlane
+from sim2reason.scenes.entities.two_d_collision_plane import TwoDCollisionPlane
+from sim2reason.simulation.quantities.subjects import Sense
+from sim2reason.simulation.quantities.subjects.pairs import AND
 from sim2reason.solutions import Setting, Solution, solve
 from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.data import as_data

@@ -4,12 +4,12 @@ from math import cos, radians, sin
 
 import pytest
 
-from sim2reason.bodies.pendulums import Ball
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.projectile import Projectile
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.bounces import Bounced, Landed
+from sim2reason.scenes.bodies.pendulums import Ball
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.projectile import Projectile
 from sim2reason.solutions import STRATEGIES, Solution, by
 from worked import asked, derived, solution_text
 

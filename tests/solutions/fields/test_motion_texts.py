@@ -2,20 +2,20 @@
 
 import pytest
 
-from sim2reason.bodies.charges import ChargedBead, Launched, Released
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.em_entity import EmEntity
-from sim2reason.entities.parts.fields.drag import LinearDrag
-from sim2reason.entities.parts.fields.linear import LinearElectric
-from sim2reason.entities.parts.fields.time_dependent import GrowingElectric, OscillatingElectric
-from sim2reason.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
-from sim2reason.quantities.subjects import Sense
 from sim2reason.questions import Query, Target
 from sim2reason.questions.kinds.comparison import ComparisonQuery
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.distances import Away
 from sim2reason.questions.moments.times import AtTime
+from sim2reason.scenes.bodies.charges import ChargedBead, Launched, Released
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.em_entity import EmEntity
+from sim2reason.scenes.entities.parts.fields.drag import LinearDrag
+from sim2reason.scenes.entities.parts.fields.linear import LinearElectric
+from sim2reason.scenes.entities.parts.fields.time_dependent import GrowingElectric, OscillatingElectric
+from sim2reason.scenes.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
+from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.solutions import STRATEGIES, Solution, by, solve
 from sim2reason.testing.solutions.faults import faults
 from sim2reason.testing.solutions.reading import read

@@ -2,15 +2,15 @@
 
 import pytest
 
-from sim2reason.bodies.space import Planet, Star
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.solar_system import SolarSystem
-from sim2reason.quantities.subjects import Sense
 from sim2reason.questions import Query, Target
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.angles import Orbited
 from sim2reason.questions.moments.distances import Closest, Farthest
+from sim2reason.scenes.bodies.space import Planet, Star
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.solar_system import SolarSystem
+from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.solutions import Solution, solve
 from sim2reason.testing.solutions.faults import faults
 from sim2reason.testing.solutions.reading import read

@@ -5,22 +5,22 @@ from math import acos, cos, exp, pi, sin, sqrt
 
 import pytest
 
-from sim2reason.bodies.charges import ChargedBead, Launched
-from sim2reason.bodies.space import Planet, Star
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.em_entity import EmEntity
-from sim2reason.entities.parts.fields.drag import LinearDrag
-from sim2reason.entities.parts.fields.time_dependent import GrowingElectric
-from sim2reason.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
-from sim2reason.entities.solar_system import SolarSystem
-from sim2reason.quantities.subjects import Sense
 from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.distances import Away
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.questions.moments.times import AtTime
+from sim2reason.scenes.bodies.charges import ChargedBead, Launched
+from sim2reason.scenes.bodies.space import Planet, Star
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.em_entity import EmEntity
+from sim2reason.scenes.entities.parts.fields.drag import LinearDrag
+from sim2reason.scenes.entities.parts.fields.time_dependent import GrowingElectric
+from sim2reason.scenes.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
+from sim2reason.scenes.entities.solar_system import SolarSystem
+from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.solutions import Setting, Solution, solve
 from sim2reason.solutions.reverse import forward
 from sim2reason.testing.solutions.faults import faults

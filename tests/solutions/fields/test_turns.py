@@ -4,17 +4,17 @@ from math import cos, hypot, pi, radians, sin, sqrt, tan
 
 import pytest
 
-from sim2reason.bodies.charges import ChargedBead, Launched, Released
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.em_entity import EmEntity
-from sim2reason.entities.parts.fields.linear import LinearElectric
-from sim2reason.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
 from sim2reason.questions import Query, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.fields import AcrossField, VelocityReturned, VelocityTurned
 from sim2reason.questions.moments.times import WholeMotion
+from sim2reason.scenes.bodies.charges import ChargedBead, Launched, Released
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.em_entity import EmEntity
+from sim2reason.scenes.entities.parts.fields.linear import LinearElectric
+from sim2reason.scenes.entities.parts.fields.uniform import UniformElectric, UniformMagnetic
 from worked import answer, derived
 
 BEAD = "fields.particle"

@@ -2,13 +2,13 @@
 
 import pytest
 
-from sim2reason.bodies.planes import Track
-from sim2reason.bodies.sliders import Glider
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.complex_collision_plane import ComplexCollisionPlane
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.times import AtTime
+from sim2reason.scenes.bodies.planes import Track
+from sim2reason.scenes.bodies.sliders import Glider
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.complex_collision_plane import ComplexCollisionPlane
 from worked import derived, solution_text
 
 

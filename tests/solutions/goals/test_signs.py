@@ -5,10 +5,10 @@ from dataclasses import replace
 import pytest
 
 from plain_scenes import ramp, row, squeezed
-from sim2reason.quantities.subjects.pairs import AND
 from sim2reason.questions import Formula, Query, Target
 from sim2reason.questions.moments.springs import MostCompressed, MostStretched
 from sim2reason.questions.moments.times import AtTime
+from sim2reason.simulation.quantities.subjects.pairs import AND
 from sim2reason.solutions import solve
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.functions import Absolute

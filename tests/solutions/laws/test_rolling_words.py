@@ -6,14 +6,14 @@ from math import cos, radians, sin
 import pytest
 
 from plain_scenes import drawn_shell
-from sim2reason.bodies.planes import Incline
-from sim2reason.bodies.round_bodies import Pipe
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.parts.rolling import Rolling, Rough, Spinning, Start
-from sim2reason.entities.rolling import RollingEntity
 from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.moments.times import AtStart, AtTime
+from sim2reason.scenes.bodies.planes import Incline
+from sim2reason.scenes.bodies.round_bodies import Pipe
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.parts.rolling import Rolling, Rough, Spinning, Start
+from sim2reason.scenes.entities.rolling import RollingEntity
 from sim2reason.solutions import STRATEGIES, Solution, by, solve
 from sim2reason.solutions.solve import solve_prompt
 from sim2reason.testing.solutions.faults import faults

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from plain_scenes import row
-from sim2reason.dsl.scene import Scene
 from sim2reason.questions import Query, Target
 from sim2reason.questions.moments.times import AtTime
+from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by
 from sim2reason.testing.solutions.reading import read
 from worked import asked

@@ -6,15 +6,15 @@ from math import cos, radians
 import pytest
 
 from plain_scenes import row
-from sim2reason.bodies.planes import Prism
-from sim2reason.bodies.sliders import Block
-from sim2reason.dsl.entity import Entity, Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.slopes import MassPrismPlane
-from sim2reason.entities.spring_chains import SpringMassRing
 from sim2reason.questions import Query, Target
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.times import AtTime
+from sim2reason.scenes.bodies.planes import Prism
+from sim2reason.scenes.bodies.sliders import Block
+from sim2reason.scenes.dsl.entity import Entity, Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.slopes import MassPrismPlane
+from sim2reason.scenes.entities.spring_chains import SpringMassRing
 from sim2reason.solutions import STRATEGIES, Solution, by
 from worked import asked, solution_text
 

@@ -7,15 +7,6 @@ import pytest
 from joined_entities import scene as joined
 from joined_entities import string
 from plain_scenes import row
-from sim2reason.bodies.planes import Plane
-from sim2reason.bodies.sliders import Block, Slab
-from sim2reason.bodies.spring import Spring
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.parts.mass_systems import Hanging
-from sim2reason.entities.springs_on_planes import SpringMassIncline
-from sim2reason.entities.stacked_mass_plane import StackedMassPlane
-from sim2reason.entities.string_ends import HangingMass
 from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.kinds.equilibrium import EquilibriumQuery
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
@@ -25,6 +16,15 @@ from sim2reason.questions.moments.springs import MostCompressed, MostStretched, 
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.scenes.bodies.planes import Plane
+from sim2reason.scenes.bodies.sliders import Block, Slab
+from sim2reason.scenes.bodies.spring import Spring
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.parts.mass_systems import Hanging
+from sim2reason.scenes.entities.springs_on_planes import SpringMassIncline
+from sim2reason.scenes.entities.stacked_mass_plane import StackedMassPlane
+from sim2reason.scenes.entities.string_ends import HangingMass
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
 from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.solution import WELL

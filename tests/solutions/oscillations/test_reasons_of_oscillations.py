@@ -6,12 +6,12 @@ from dataclasses import replace
 import pytest
 
 from plain_scenes import row
-from sim2reason.dsl.scene import Scene
 from sim2reason.questions import Formula, Query, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.springs import NaturalLength
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import Halted, Stopped
+from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.solutions import Solution, solve
 from sim2reason.testing.solutions.reading import read
 from worked import asked, derived, solution_text

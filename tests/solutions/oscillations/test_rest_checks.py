@@ -6,13 +6,13 @@ from math import atan, pi, sqrt
 import pytest
 
 from plain_scenes import row
-from sim2reason.dsl.scene import Scene
 from sim2reason.questions import Query, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.springs import NaturalLength
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import Halted, Stopped
+from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.solutions import Solution, solve
 from sim2reason.solutions.multipart.in_sequence import consistent
 from sim2reason.solutions.multipart.recall import starting_from

@@ -6,16 +6,16 @@ from math import asin, cos, degrees, pi, radians, sin, sqrt
 import numpy as np
 import pytest
 
-from sim2reason.bodies.pendulums import Ball, Cord, LightRod
-from sim2reason.dsl.entity import Entity, Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.pendulums import Pendulum
 from sim2reason.questions import Query, StatedResult, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.angles import Deflected
 from sim2reason.questions.moments.strings import WentTaut
 from sim2reason.questions.moments.times import AtTime, WholeMotion
 from sim2reason.questions.moments.turning_points import HighestPoint, LowestPoint
+from sim2reason.scenes.bodies.pendulums import Ball, Cord, LightRod
+from sim2reason.scenes.dsl.entity import Entity, Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.pendulums import Pendulum
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by
 from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.data import as_data

@@ -4,14 +4,14 @@ from math import cos, radians, sin
 
 import pytest
 
-from sim2reason.dsl.scene import Scene
 from sim2reason.questions import Query, Target
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.contacts import StoppedSlipping
 from sim2reason.questions.moments.distances import Away
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.need import ELEMENTARY
-from sim2reason.scene_files import loads
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.files import loads
 from sim2reason.solutions import STRATEGIES, Solution, by
 from sim2reason.solutions.solve import solve_prompt
 from sim2reason.testing.solutions.faults import faults

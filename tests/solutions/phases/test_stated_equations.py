@@ -5,16 +5,16 @@ from math import cos, radians, sqrt
 import numpy as np
 import pytest
 
-from sim2reason.bodies.planes import Incline
-from sim2reason.bodies.polygonal_prism import LongPrism
-from sim2reason.bodies.space import AirlessPlanet, HeavyPlanet, Rocket, Star
-from sim2reason.dsl.entity import Entity, Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.rocket_entity import RocketEntity
-from sim2reason.entities.rolling import TumblingPrism
-from sim2reason.entities.solar_system import SolarSystem
 from sim2reason.questions import Query, Target
 from sim2reason.questions.moments.times import AtTime
+from sim2reason.scenes.bodies.planes import Incline
+from sim2reason.scenes.bodies.polygonal_prism import LongPrism
+from sim2reason.scenes.bodies.space import AirlessPlanet, HeavyPlanet, Rocket, Star
+from sim2reason.scenes.dsl.entity import Entity, Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.rocket_entity import RocketEntity
+from sim2reason.scenes.entities.rolling import TumblingPrism
+from sim2reason.scenes.entities.solar_system import SolarSystem
 from sim2reason.solutions import STRATEGIES, Setting, by
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.polynomials import Polynomial

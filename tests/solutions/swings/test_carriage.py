@@ -13,16 +13,6 @@ import numpy as np
 import pytest
 
 from joined_entities import pivot, scene, string
-from sim2reason.bodies.pendulums import Ball, LightRod, UniformRod
-from sim2reason.bodies.round_bodies import Sphere
-from sim2reason.bodies.sliders import Block, Carriage
-from sim2reason.dsl.entity import Entity
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.parts.mass_systems import Hanging
-from sim2reason.entities.parts.pieces import AxialPiece, RoundPiece
-from sim2reason.entities.pendulums import LightRodPendulum, RigidPendulum, SliderMass
-from sim2reason.entities.string_ends import ConstantForcePuller, HangingMass
-from sim2reason.quantities.subjects import Sense
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.angles import Deflected, TurnedThrough
 from sim2reason.questions.moments.distances import Moved
@@ -31,6 +21,16 @@ from sim2reason.questions.moments.turning_points import HighestPoint, LowestPoin
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.questions.query import Query
 from sim2reason.questions.targets import Target
+from sim2reason.scenes.bodies.pendulums import Ball, LightRod, UniformRod
+from sim2reason.scenes.bodies.round_bodies import Sphere
+from sim2reason.scenes.bodies.sliders import Block, Carriage
+from sim2reason.scenes.dsl.entity import Entity
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.parts.mass_systems import Hanging
+from sim2reason.scenes.entities.parts.pieces import AxialPiece, RoundPiece
+from sim2reason.scenes.entities.pendulums import LightRodPendulum, RigidPendulum, SliderMass
+from sim2reason.scenes.entities.string_ends import ConstantForcePuller, HangingMass
+from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
 from sim2reason.solutions.closed_forms import closed_form
 from sim2reason.solutions.solution import WELL

@@ -4,16 +4,16 @@ from math import acos, cos, degrees, radians, sin
 
 import pytest
 
-from sim2reason.bodies.pendulums import FixedBall
-from sim2reason.bodies.round_bodies import Hoop
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.parts.pieces import OTHER, SAME, AxialPiece, BallPiece
-from sim2reason.entities.pendulums import RotationEntity
 from sim2reason.questions import Query, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import LowestPoint, Stopped
+from sim2reason.scenes.bodies.pendulums import FixedBall
+from sim2reason.scenes.bodies.round_bodies import Hoop
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.parts.pieces import OTHER, SAME, AxialPiece, BallPiece
+from sim2reason.scenes.entities.pendulums import RotationEntity
 from worked import derived, solution_text
 
 G, ANGLE, RADIUS, HOOP, NEAR, FAR = 9.8, 47.0, 0.17, 9.0, 0.2, 0.4

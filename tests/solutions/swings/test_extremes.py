@@ -5,12 +5,12 @@ from math import cos, radians, sqrt
 
 import pytest
 
-from sim2reason.bodies.pendulums import Ball, LightRod
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.pendulums import Pendulum
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.times import WholeMotion
+from sim2reason.scenes.bodies.pendulums import Ball, LightRod
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.pendulums import Pendulum
 from sim2reason.solutions import Solution
 from worked import derived
 

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from sim2reason.dsl.body import BODIES
-from sim2reason.dsl.model import draw
-from sim2reason.dsl.solids import Shape
+from sim2reason.scenes.dsl.body import BODIES
+from sim2reason.scenes.dsl.model import draw
+from sim2reason.scenes.dsl.solids import Shape
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.swings.mass_spread import candidates, mass_spread
 
@@ -34,7 +34,7 @@ def test_the_table_has_what_the_body_is_built_of(cls: type[Shape]) -> None:
 
 def test_a_hemisphere() -> None:
     """Centroid 3R/8; about a diameter of the flat face 2/5 m R² (Halliday, Resnick, table 10-2, by halves)."""
-    from sim2reason.bodies.caps import Hemisphere
+    from sim2reason.scenes.bodies.caps import Hemisphere
 
     spread = mass_spread(Hemisphere(mass=2.0, radius=0.3), Symbol)
     assert spread is not None

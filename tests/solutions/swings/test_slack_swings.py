@@ -7,15 +7,15 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from sim2reason.bodies.pendulums import Ball, Cord, LightRod
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.pendulums import Pendulum
 from sim2reason.questions import Query, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.strings import WentTaut
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import HighestPoint, Stopped
+from sim2reason.scenes.bodies.pendulums import Ball, Cord, LightRod
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.pendulums import Pendulum
 from sim2reason.solutions import STRATEGIES, by
 from worked import answer, asked
 

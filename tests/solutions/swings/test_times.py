@@ -4,13 +4,6 @@ from math import acos, asin, cos, degrees, gamma, log, pi, radians, sin, sqrt
 
 import pytest
 
-from sim2reason.bodies.pendulums import Ball, Cord, LightRod, UniformRod
-from sim2reason.bodies.space import DeepSpace, LevelGround, Rocket
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.parts.pieces import AxialPiece
-from sim2reason.entities.pendulums import Pendulum, RotationEntity
-from sim2reason.entities.rocket_entity import RocketEntity
 from sim2reason.questions import Query, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments import Moment
@@ -18,6 +11,13 @@ from sim2reason.questions.moments.angles import Deflected, TurnedThrough
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import HighestPoint, LowestPoint, Stopped
 from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.scenes.bodies.pendulums import Ball, Cord, LightRod, UniformRod
+from sim2reason.scenes.bodies.space import DeepSpace, LevelGround, Rocket
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.parts.pieces import AxialPiece
+from sim2reason.scenes.entities.pendulums import Pendulum, RotationEntity
+from sim2reason.scenes.entities.rocket_entity import RocketEntity
 from sim2reason.solutions import solve
 from worked import answer, asked
 

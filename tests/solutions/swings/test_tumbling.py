@@ -6,16 +6,16 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sim2reason.bodies.planes import Incline
-from sim2reason.bodies.polygonal_prism import SIDES, LongPrism, Polygon
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.rolling import TumblingPrism
 from sim2reason.questions import Query, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.angles import TurnedThrough
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import HighestPoint
+from sim2reason.scenes.bodies.planes import Incline
+from sim2reason.scenes.bodies.polygonal_prism import SIDES, LongPrism, Polygon
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.rolling import TumblingPrism
 from sim2reason.solutions import solve
 from worked import answer, asked
 

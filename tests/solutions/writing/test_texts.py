@@ -8,22 +8,22 @@ import numpy as np
 import pytest
 
 from plain_scenes import atwood, row
-from sim2reason.bodies.charges import ChargedBead, Launched
 from sim2reason.datasets.grade import grade
-from sim2reason.datasets.item_search import ItemSearch
-from sim2reason.datasets.make import item_of
-from sim2reason.datasets.question_search import QuestionSearch
-from sim2reason.datasets.request import Request
-from sim2reason.datasets.worked_solutions import worked
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.units import parse_unit
-from sim2reason.entities.em_entity import EmEntity
-from sim2reason.entities.parts.fields.uniform import UniformMagnetic
+from sim2reason.generation.item_search import ItemSearch
+from sim2reason.generation.make import item_of
+from sim2reason.generation.question_search import QuestionSearch
+from sim2reason.generation.request import Request
+from sim2reason.generation.worked_solutions import worked
 from sim2reason.questions import MODES, Query, Question, StatedResult, Target
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.questions.spoken_units import CGS, SI
+from sim2reason.scenes.bodies.charges import ChargedBead, Launched
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.units import parse_unit
+from sim2reason.scenes.entities.em_entity import EmEntity
+from sim2reason.scenes.entities.parts.fields.uniform import UniformMagnetic
 from sim2reason.solutions import Setting, Solution, solve, solve_prompt
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.algebra.fractions import CrossElimination, SymbolicEquation

@@ -10,7 +10,7 @@ from curved_mechanisms.hanging import bent, bobs, hinged
 from curved_mechanisms.on_faces import curves, rollers
 from curved_mechanisms.sprung import chains, nets
 from curved_mechanisms.tangled import tangle
-from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.mechanism import Mechanism
 
 __all__ = ["FAMILIES"]
 

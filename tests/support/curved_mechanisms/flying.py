@@ -5,10 +5,10 @@ from math import cos, pi, sin
 import numpy as np
 
 from curved_mechanisms.pieces import Rng, chance, choice, mass, number, particle, spring
-from sim2reason.dsl.builder import Builder, Frame
-from sim2reason.dsl.fields import Central, Magnetic, Profile, Push, Resistance
-from sim2reason.dsl.mechanism import ZERO, Mechanism, X, Y, Z
-from sim2reason.dsl.vectors import BoxRegion, DiscRegion, HalfSpace, Region
+from sim2reason.scenes.dsl.builder import Builder, Frame
+from sim2reason.scenes.dsl.fields import Central, Magnetic, Profile, Push, Resistance
+from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism, X, Y, Z
+from sim2reason.scenes.dsl.vectors import BoxRegion, DiscRegion, HalfSpace, Region
 
 
 def balls(seed: int) -> Mechanism:

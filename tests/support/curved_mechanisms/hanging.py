@@ -3,9 +3,9 @@
 import numpy as np
 
 from curved_mechanisms.pieces import about_y, cart, chance, choice, mass, number, particle, polar
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.mechanism import ZERO, Mechanism, X, Y, Z
-from sim2reason.dsl.vectors import add
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism, X, Y, Z
+from sim2reason.scenes.dsl.vectors import add
 
 
 def hinged(seed: int) -> Mechanism:

@@ -5,9 +5,9 @@ from math import cos, inf, pi, sin
 import numpy as np
 
 from curved_mechanisms.pieces import about_y, chance, choice, mass, number, polar, slope, spring
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.mechanism import Mechanism, X, Y, Z
-from sim2reason.dsl.vectors import add
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.mechanism import Mechanism, X, Y, Z
+from sim2reason.scenes.dsl.vectors import add
 
 
 def rollers(seed: int) -> Mechanism:

@@ -4,9 +4,9 @@ from math import cos, sin
 
 import numpy as np
 
-from sim2reason.dsl.builder import Frame
-from sim2reason.dsl.mechanism import X, Z
-from sim2reason.dsl.vectors import Tensor, Vector
+from sim2reason.scenes.dsl.builder import Frame
+from sim2reason.scenes.dsl.mechanism import X, Z
+from sim2reason.scenes.dsl.vectors import Tensor, Vector
 
 Rng = np.random.Generator
 SIDE: tuple[float, float] = (-1.0, 1.0)

@@ -5,8 +5,8 @@ from collections.abc import Callable
 import numpy as np
 
 from curved_mechanisms.pieces import Rng, chance, choice, mass, number, particle, slope, spring
-from sim2reason.dsl.builder import Builder, Frame
-from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.builder import Builder, Frame
+from sim2reason.scenes.dsl.mechanism import Mechanism
 
 
 def nets(seed: int) -> Mechanism:

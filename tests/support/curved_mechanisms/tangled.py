@@ -5,9 +5,9 @@ from math import pi
 import numpy as np
 
 from curved_mechanisms.pieces import Rng, about_y, chance, choice, mass, number, polar, slope, spring
-from sim2reason.dsl.builder import Builder, Frame
-from sim2reason.dsl.mechanism import Mechanism, X, Y, Z
-from sim2reason.dsl.vectors import Vector
+from sim2reason.scenes.dsl.builder import Builder, Frame
+from sim2reason.scenes.dsl.mechanism import Mechanism, X, Y, Z
+from sim2reason.scenes.dsl.vectors import Vector
 
 
 def tangle(seed: int) -> Mechanism:

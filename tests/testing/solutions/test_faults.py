@@ -6,13 +6,13 @@ from math import cos, radians, sin
 import pytest
 
 from plain_scenes import atwood
-from sim2reason.bodies.planes import Plane
-from sim2reason.bodies.sliders import Slab
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.scene import Scene
-from sim2reason.entities.stacked_mass_plane import StackedMassPlane
 from sim2reason.questions import Query, Target
 from sim2reason.questions.moments.times import AtTime
+from sim2reason.scenes.bodies.planes import Plane
+from sim2reason.scenes.bodies.sliders import Slab
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.entities.stacked_mass_plane import StackedMassPlane
 from sim2reason.solutions import Relation, Solution, solve
 from sim2reason.solutions.algebra.expressions import Number, Symbol, added, multiplied
 from sim2reason.solutions.solve import solve_prompt

@@ -14,11 +14,11 @@ import yaml
 
 from short_run import PROBLEMS, settings
 from sim2reason.errors import TrainingError
-from sim2reason.policies.local_model import LocalModel
-from sim2reason.reports import held_out
-from sim2reason.reports.held_out import report_training
+from sim2reason.evaluation.policies.local_model import LocalModel
 from sim2reason.training.models import Checkpoint
 from sim2reason.training.problem_stream import ProblemStream
+from sim2reason.training.reports import held_out
+from sim2reason.training.reports.held_out import report_training
 from sim2reason.training.rl.config import reinforcement_learning_from
 from sim2reason.training.rl.run import prepare_rl, train_rl
 from sim2reason.training.sources.fresh import Fresh

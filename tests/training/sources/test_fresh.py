@@ -85,7 +85,7 @@ def test_another_corpus_keeps_its_own_rule(tmp_path: Path) -> None:
 def test_a_corpus_whose_rule_lacks_its_library_is_refused_as_it_is_read(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("sim2reason.benchmarks.scoring.find_spec", lambda _: None)
+    monkeypatch.setattr("sim2reason.evaluation.benchmarks.scoring.find_spec", lambda _: None)
     file = tmp_path / "questions.jsonl"
     file.write_text(json.dumps({"question": "2 + 2?", "answer": "4"}) + "\n")
     settings = {"kind": "benchmark", "name": "sums", "benchmark": {"kind": "jsonl", "file": file, "scoring": "math"}}

@@ -8,9 +8,9 @@ from typing import Any
 import pytest
 
 from short_run import settings
-from sim2reason.benchmarks.runs.folder import RunFolder
 from sim2reason.errors import TrainingError
-from sim2reason.reports.study import report_study
+from sim2reason.evaluation.benchmarks.runs.folder import RunFolder
+from sim2reason.training.reports.study import report_study
 from sim2reason.training.study.config import study_from
 from sim2reason.training.study.run import prepare_study, train_study
 

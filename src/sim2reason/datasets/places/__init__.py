@@ -7,8 +7,8 @@ from collections.abc import Callable, Generator
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 
+from sim2reason.base.registry import Registry
 from sim2reason.datasets.worker import Attempt, Batch
-from sim2reason.registry import Registry
 
 __all__ = ["HERE", "PATIENCE", "PLACES", "Crew", "Place", "Reply", "Run", "Source", "opened"]
 

@@ -4,16 +4,16 @@ from cmath import phase, rect
 from collections.abc import Mapping
 from math import degrees, pi, radians
 
-from sim2reason.dsl.body import Slender
-from sim2reason.dsl.body import Small as SmallBody
-from sim2reason.dsl.measures import show_unit
-from sim2reason.dsl.mechanism import RigidBody
-from sim2reason.dsl.vectors import inner
 from sim2reason.figures.paths import owner_of
 from sim2reason.figures.scaled.lines import beside
 from sim2reason.figures.scaled.setting import OBLONG, Setting, vector
 from sim2reason.figures.shapes import SMALL, Arc, LineShape, Shape, Sketch, Wanted, width
 from sim2reason.figures.vectors import RIGHT, UP, cross, crosses, dot, from_segment, unit
+from sim2reason.scenes.dsl.body import Slender
+from sim2reason.scenes.dsl.body import Small as SmallBody
+from sim2reason.scenes.dsl.measures import show_unit
+from sim2reason.scenes.dsl.mechanism import RigidBody
+from sim2reason.scenes.dsl.vectors import inner
 
 LENGTHS, SHORTEST = (1.7, 1.3, 1.0, 0.75, 0.6), 0.6  # units, of the longest arrow and of any: thrice its head
 APART = 0.15  # of two arrows

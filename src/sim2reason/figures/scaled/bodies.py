@@ -6,13 +6,13 @@ from dataclasses import replace
 from itertools import product
 from math import acos, asin, pi, sqrt
 
-from sim2reason.dsl.body import Axial, BodyLook, Capped, Rectangular, Silhouette, Small, Spherical
 from sim2reason.figures.hanging import block_labels
 from sim2reason.figures.pieces import around
 from sim2reason.figures.scaled.lines import beside
 from sim2reason.figures.scaled.setting import OBLONG, SLAB_STEP, Setting
 from sim2reason.figures.shapes import LETTER, SIZE, SMALL, TINY, Arc, Area, Shape, Sketch, Wanted, width
 from sim2reason.figures.vectors import RIGHT, UP, Polygon, hull, rectangle, unit
+from sim2reason.scenes.dsl.body import Axial, BodyLook, Capped, Rectangular, Silhouette, Small, Spherical
 
 THIN = 0.13  # units: of what has no thickness, at least
 ROCKET = ((-0.2, -0.5), (0.2, -0.5), (0.2, 0.25), (0.0, 0.65), (-0.2, 0.25))

@@ -5,8 +5,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from math import acos, degrees
 
-from sim2reason.dsl.body import BigBox, Globe, MovingSlope, Tabletop
-from sim2reason.dsl.mechanism import Face, Prop
 from sim2reason.figures.paths import owner_of
 from sim2reason.figures.scaled.angles import corner_angle
 from sim2reason.figures.scaled.rails import rails, walls
@@ -14,6 +12,8 @@ from sim2reason.figures.scaled.setting import Setting, vector
 from sim2reason.figures.scaled.tabletop import spread
 from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, Sketch, Wanted, hatched, rough, width
 from sim2reason.figures.vectors import UP, box, cross, dot, unit
+from sim2reason.scenes.dsl.body import BigBox, Globe, MovingSlope, Tabletop
+from sim2reason.scenes.dsl.mechanism import Face, Prop
 
 BEYOND, LEAST = 0.8, 3.4  # units by which a surface is longer than what lies on it, and its least length
 FLAT = 1e-6

@@ -5,8 +5,6 @@ from collections.abc import Iterator
 from itertools import pairwise
 from math import pi
 
-from sim2reason.dsl.body import Axial, Capped, PulleyWheel, Rectangular, Silhouette, Slender, Small, Spherical
-from sim2reason.dsl.mechanism import Elastic, Line, Prop, Rigid, RigidBody
 from sim2reason.figures.hanging import plate, pull_text
 from sim2reason.figures.pieces import around
 from sim2reason.figures.scaled.rails import rides
@@ -15,6 +13,8 @@ from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, Shape, Sketch, Wan
 from sim2reason.figures.shapes import LineShape as Stroke
 from sim2reason.figures.springs import spring
 from sim2reason.figures.vectors import RIGHT, UP, cross, dot, rectangle, unit
+from sim2reason.scenes.dsl.body import Axial, Capped, PulleyWheel, Rectangular, Silhouette, Slender, Small, Spherical
+from sim2reason.scenes.dsl.mechanism import Elastic, Line, Prop, Rigid, RigidBody
 
 NAIL, PIVOT, PLATE = 0.07, 0.09, 0.25  # radius of a nail and of a pivot, and how far behind it a wall is
 ARROW = 1.2

@@ -4,8 +4,6 @@ from cmath import phase
 from collections.abc import Iterator
 from math import degrees, dist
 
-from sim2reason.dsl.body import Axial, Globe, PulleyWheel, Slender, Spherical, Tabletop, Unseen
-from sim2reason.dsl.mechanism import RigidBody
 from sim2reason.figures.paths import PathKnot, owner_of
 from sim2reason.figures.pieces import DrawingPlan, Piece, around
 from sim2reason.figures.scaled import bodies
@@ -17,7 +15,9 @@ from sim2reason.figures.scaled.setting import SLAB, Setting, vector
 from sim2reason.figures.scaled.tabletop import axes
 from sim2reason.figures.shapes import SIZE, SMALL, Arc, LineShape, Shape, Sketch, Wanted, dot_at, outline, width
 from sim2reason.figures.vectors import Polygon, box, dot, hull, unit
-from sim2reason.quantities.subjects.paths import rim_of
+from sim2reason.scenes.dsl.body import Axial, Globe, PulleyWheel, Slender, Spherical, Tabletop, Unseen
+from sim2reason.scenes.dsl.mechanism import RigidBody
+from sim2reason.simulation.quantities.subjects.paths import rim_of
 
 CLEAR, APART = 0.3, 0.42  # units, from a piece to the first line of dimension and from that to the next
 NONE = 1e-6  # degrees

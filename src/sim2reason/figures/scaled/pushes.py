@@ -5,11 +5,6 @@ from cmath import phase
 from collections.abc import Iterator
 from math import degrees, hypot
 
-from sim2reason.dsl.body import Small
-from sim2reason.dsl.fields import Law, Push
-from sim2reason.dsl.mechanism import ZERO, Force
-from sim2reason.dsl.vectors import BoxRegion as Slab
-from sim2reason.dsl.vectors import DiscRegion, HalfSpace, Region, Vector, add, inner, scale
 from sim2reason.figures.paths import owner_of
 from sim2reason.figures.scaled.angles import corner_angle
 from sim2reason.figures.scaled.lines import beside
@@ -17,6 +12,11 @@ from sim2reason.figures.scaled.setting import Setting, vector
 from sim2reason.figures.scaled.tabletop import spread
 from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, LineShape, Shape, Sketch, Wanted, dot_at, width
 from sim2reason.figures.vectors import RIGHT, Polygon, dot, unit
+from sim2reason.scenes.dsl.body import Small
+from sim2reason.scenes.dsl.fields import Law, Push
+from sim2reason.scenes.dsl.mechanism import ZERO, Force
+from sim2reason.scenes.dsl.vectors import BoxRegion as Slab
+from sim2reason.scenes.dsl.vectors import DiscRegion, HalfSpace, Region, Vector, add, inner, scale
 
 LONG, BASE = 1.3, 1.1  # units: an arrow, and the line from which its angle is counted
 FLAT = 1e-6  # deg or units: none

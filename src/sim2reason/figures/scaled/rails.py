@@ -5,14 +5,14 @@ from collections.abc import Iterator
 from itertools import pairwise
 from math import degrees
 
-from sim2reason.dsl.body import BigBox, Small
-from sim2reason.dsl.mechanism import RigidBody
 from sim2reason.figures.hanging import plate
 from sim2reason.figures.paths import flat, is_pulley, owner_of
 from sim2reason.figures.scaled.angles import corner_angle
 from sim2reason.figures.scaled.setting import BESIDE, STEEP, Setting
 from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, LineShape, Sketch, Wanted, dot_at, hatched
 from sim2reason.figures.vectors import RIGHT, UP, cross, unit
+from sim2reason.scenes.dsl.body import BigBox, Small
+from sim2reason.scenes.dsl.mechanism import RigidBody
 
 RAIL = 2.0  # units on either side of what it leads
 WHEEL = 0.24  # radius of a small pulley

@@ -4,15 +4,15 @@ import math
 from collections.abc import Iterator
 from itertools import product
 
-from sim2reason.dsl.body import Axial, Body, BodyLook, Capped, Rectangular, Silhouette, Small, Spherical
-from sim2reason.dsl.collector import Axes
-from sim2reason.dsl.frames import Frames, start
-from sim2reason.dsl.mechanism import Elastic, Line, RigidBody, X, Y, Z
-from sim2reason.dsl.vectors import BoxRegion, DiscRegion, HalfSpace, Region, Triple, Vector, add, inner, scale
+from sim2reason.base.lazy import cached_property
 from sim2reason.figures.pieces import LIKE, DrawingPlan
 from sim2reason.figures.scaled.view import APART, COILED, FROM_ABOVE, SPAN, View, fitting, sides
 from sim2reason.figures.vectors import RIGHT
-from sim2reason.lazy import cached_property
+from sim2reason.scenes.dsl.body import Axial, Body, BodyLook, Capped, Rectangular, Silhouette, Small, Spherical
+from sim2reason.scenes.dsl.collector import Axes
+from sim2reason.scenes.dsl.frames import Frames, start
+from sim2reason.scenes.dsl.mechanism import Elastic, Line, RigidBody, X, Y, Z
+from sim2reason.scenes.dsl.vectors import BoxRegion, DiscRegion, HalfSpace, Region, Triple, Vector, add, inner, scale
 
 UPRIGHT: Axes = (X, Y, Z)
 RADII = {"ball": 0.24, "puck": 0.3, "star": 0.38, "planet": 0.2}  # units, of round things whose size does not matter

@@ -3,12 +3,12 @@
 from collections.abc import Iterator, Mapping, Sequence
 from math import ceil
 
-from sim2reason.dsl.body import Tabletop
-from sim2reason.dsl.measures import show_unit
 from sim2reason.figures.scaled.arrows import speeds
 from sim2reason.figures.scaled.setting import Setting, corners
 from sim2reason.figures.shapes import SMALL, TINY, Area, LineShape, Shape, Sketch, Wanted, hatched, width
 from sim2reason.figures.vectors import RIGHT, UP, Box, Polygon, box, cross, dot, from_segment, unit
+from sim2reason.scenes.dsl.body import Tabletop
+from sim2reason.scenes.dsl.measures import show_unit
 
 
 def sheet(setting: Setting, area: Box) -> Polygon:

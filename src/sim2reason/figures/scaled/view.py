@@ -4,9 +4,9 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
-from sim2reason.dsl.mechanism import Mechanism, RigidBody, X, Y, Z
-from sim2reason.dsl.vectors import Vector, add, inner, outer, scale, unit
 from sim2reason.figures.vectors import box
+from sim2reason.scenes.dsl.mechanism import Mechanism, RigidBody, X, Y, Z
+from sim2reason.scenes.dsl.vectors import Vector, add, inner, outer, scale, unit
 
 SMALL = 1e-9
 SPAN, FROM_ABOVE = 5.0, 6.5  # units across the larger side, as seen from the front and from above

@@ -3,15 +3,15 @@
 from abc import ABC, abstractmethod
 from typing import ClassVar, TypeVar
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.units import parse_unit
-from sim2reason.quantities.subjects import Subject
+from sim2reason.base.registry import Registry
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun
 from sim2reason.questions.words import Words
-from sim2reason.registry import Registry
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.units import parse_unit
 from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.quantities.subjects import Subject
 from sim2reason.simulation.trace import Trace
 
 

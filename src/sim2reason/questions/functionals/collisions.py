@@ -4,11 +4,6 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.quantities.kinematics import Velocity
-from sim2reason.quantities.momentum import Momentum
-from sim2reason.quantities.subjects.bodies import Bodies, Whole
-from sim2reason.quantities.subjects.pairs import Pairs, members
 from sim2reason.questions.functionals import Functional, functional
 from sim2reason.questions.functionals.parts.integral import (
     BALANCE,
@@ -26,7 +21,12 @@ from sim2reason.questions.moments.bounces import WALLS, struck
 from sim2reason.questions.moments.collisions import LastCollision
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.quantities.kinematics import Velocity
+from sim2reason.simulation.quantities.momentum import Momentum
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, Whole
+from sim2reason.simulation.quantities.subjects.pairs import Pairs, members
 from sim2reason.simulation.trace import Trace
 
 

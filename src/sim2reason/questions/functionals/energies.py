@@ -5,18 +5,6 @@ from math import isfinite
 
 import numpy as np
 
-from sim2reason.dsl.fields import Push, Resistance
-from sim2reason.dsl.mechanism import ConstantTension, Elastic, Force, Inextensible, Mechanism
-from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.vectors import minus, product
-from sim2reason.quantities.energy import KineticEnergy
-from sim2reason.quantities.forces import FrictionForce, StringLength, Tension
-from sim2reason.quantities.kinematics import Displacement, Velocity
-from sim2reason.quantities.springs import ExtensionRate, SpringEnergy
-from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.contacts import Contacts, Hands
-from sim2reason.quantities.subjects.lines import Springs, strings
-from sim2reason.quantities.subjects.paths import rides
 from sim2reason.questions.functionals import Functional, functional
 from sim2reason.questions.functionals.parts.extreme import Extreme
 from sim2reason.questions.functionals.parts.integral import Integral, is_smooth
@@ -24,7 +12,19 @@ from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.parts.distance import DistanceThreshold
 from sim2reason.questions.moments.parts.slip_change import slip
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.fields import Push, Resistance
+from sim2reason.scenes.dsl.mechanism import ConstantTension, Elastic, Force, Inextensible, Mechanism
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.vectors import minus, product
 from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.quantities.energy import KineticEnergy
+from sim2reason.simulation.quantities.forces import FrictionForce, StringLength, Tension
+from sim2reason.simulation.quantities.kinematics import Displacement, Velocity
+from sim2reason.simulation.quantities.springs import ExtensionRate, SpringEnergy
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
+from sim2reason.simulation.quantities.subjects.contacts import Contacts, Hands
+from sim2reason.simulation.quantities.subjects.lines import Springs, strings
+from sim2reason.simulation.quantities.subjects.paths import rides
 from sim2reason.simulation.trace import Trace
 
 

@@ -1,10 +1,10 @@
 """Extreme values of forces and of the extension of springs."""
 
-from sim2reason.dsl.state import Array, State
-from sim2reason.quantities.forces import AxleForce, NormalForce, RodForce, RodPull, Tension
-from sim2reason.quantities.springs import Extension, SpringForce
 from sim2reason.questions.functionals import functional
 from sim2reason.questions.functionals.parts.extreme import Extreme
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.simulation.quantities.forces import AxleForce, NormalForce, RodForce, RodPull, Tension
+from sim2reason.simulation.quantities.springs import Extension, SpringForce
 
 
 @functional

@@ -2,14 +2,6 @@
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array, State
-from sim2reason.quantities.forces import Tension
-from sim2reason.quantities.momentum import Momentum
-from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.lines import Strings
-from sim2reason.quantities.subjects.paths import is_welded_part
-from sim2reason.quantities.subjects.rods import line_pointer
 from sim2reason.questions.choices import only_falls
 from sim2reason.questions.functionals import Functional, functional
 from sim2reason.questions.functionals.parts.integral import Integral, energies, energy_lost, is_smooth
@@ -17,7 +9,15 @@ from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.strings import WentTaut
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.quantities.forces import Tension
+from sim2reason.simulation.quantities.momentum import Momentum
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
+from sim2reason.simulation.quantities.subjects.lines import Strings
+from sim2reason.simulation.quantities.subjects.paths import is_welded_part
+from sim2reason.simulation.quantities.subjects.rods import line_pointer
 from sim2reason.simulation.trace import Trace
 
 

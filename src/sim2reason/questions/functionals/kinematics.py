@@ -4,15 +4,6 @@ from typing import ClassVar
 
 import numpy as np
 
-from sim2reason.dsl.fields import Push
-from sim2reason.dsl.state import Array, State
-from sim2reason.quantities.kinematics import Acceleration, Displacement, Velocity
-from sim2reason.quantities.positions import Deflection, OriginDistance, XCoordinate, YCoordinate
-from sim2reason.quantities.relative import DistanceBetween
-from sim2reason.quantities.rotation import AngularAcceleration, AngularVelocity
-from sim2reason.quantities.subjects import Sense
-from sim2reason.quantities.subjects.bodies import AXES
-from sim2reason.quantities.subjects.paths import center_path
 from sim2reason.questions.functionals import functional
 from sim2reason.questions.functionals.parts.circles import circles
 from sim2reason.questions.functionals.parts.extreme import Extreme
@@ -21,6 +12,15 @@ from sim2reason.questions.moments.parts.charged import acting_on
 from sim2reason.questions.moments.times import WholeMotion
 from sim2reason.questions.moments.turning_points import HighestPoint
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.fields import Push
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.simulation.quantities.kinematics import Acceleration, Displacement, Velocity
+from sim2reason.simulation.quantities.positions import Deflection, OriginDistance, XCoordinate, YCoordinate
+from sim2reason.simulation.quantities.relative import DistanceBetween
+from sim2reason.simulation.quantities.rotation import AngularAcceleration, AngularVelocity
+from sim2reason.simulation.quantities.subjects import Sense
+from sim2reason.simulation.quantities.subjects.bodies import AXES
+from sim2reason.simulation.quantities.subjects.paths import center_path
 from sim2reason.simulation.trace import Trace
 
 

@@ -5,14 +5,6 @@ from math import degrees
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array, State
-from sim2reason.quantities.kinematics import Displacement, Velocity
-from sim2reason.quantities.relative import DistanceBetween
-from sim2reason.quantities.rotation import AngleTurned, AngularVelocity
-from sim2reason.quantities.subjects.bodies import Bodies, TurningBodies, moves
-from sim2reason.quantities.subjects.pairs import Pairs, members
-from sim2reason.quantities.subjects.paths import center_path, rides
 from sim2reason.questions.choices import still
 from sim2reason.questions.crossing import crossings
 from sim2reason.questions.functionals import functional
@@ -23,7 +15,15 @@ from sim2reason.questions.moments.angles import Orbited
 from sim2reason.questions.moments.parts.turning_points import Apsis
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.quantities.kinematics import Displacement, Velocity
+from sim2reason.simulation.quantities.relative import DistanceBetween
+from sim2reason.simulation.quantities.rotation import AngleTurned, AngularVelocity
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies, moves
+from sim2reason.simulation.quantities.subjects.pairs import Pairs, members
+from sim2reason.simulation.quantities.subjects.paths import center_path, rides
 from sim2reason.simulation.trace import Trace
 
 DIFFERS = 0.02  # of the angle: what is less larger than the angle between start and end is not worth asking

@@ -8,7 +8,7 @@ from typing import ClassVar, TypeVar
 
 import numpy as np
 
-from sim2reason.quantities import QUANTITIES
+from sim2reason.base.registry import Registry
 from sim2reason.questions.choices import bears_from, has_met
 from sim2reason.questions.doubt import doubt
 from sim2reason.questions.moments import MOMENTS, Moment
@@ -19,9 +19,9 @@ from sim2reason.questions.structured import EQUILIBRIUM, StructuredQuestion
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Targets, quantities_named, target_named
 from sim2reason.questions.words import Words
-from sim2reason.registry import Registry
 from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.trace import AT_ONCE
 
 

@@ -5,9 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Elastic, Mechanism
 from sim2reason.errors import TextError
-from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.change import SAME
 from sim2reason.questions.choices import pick
 from sim2reason.questions.kinds import Kind, kind
@@ -18,8 +16,10 @@ from sim2reason.questions.structured import EQUILIBRIUM, StructuredQuestion
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Target, Targets, quantities_named, target_named
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
 from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.rest.equilibrium import equilibrium, lone_equilibrium
 from sim2reason.simulation.rest.oscillation import alike_at_rest, unrest
 

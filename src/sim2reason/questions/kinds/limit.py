@@ -6,7 +6,6 @@ from itertools import pairwise, product
 
 import numpy as np
 
-from sim2reason.dsl.constancy import changing
 from sim2reason.questions.course import ways
 from sim2reason.questions.kinds import KINDS, Measured, kind
 from sim2reason.questions.kinds.parts.nested import NestedKind, NestedQuery, answered, inner_of, stripped, vouched
@@ -14,6 +13,7 @@ from sim2reason.questions.query import Query
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Targets
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.simulation.certify import Certificate
 
 RATIO = 10.0

@@ -7,10 +7,6 @@ from math import inf, pi
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Elastic, Mechanism
-from sim2reason.quantities.subjects.bodies import TurningBodies
-from sim2reason.quantities.subjects.pairs import pair
-from sim2reason.quantities.subjects.paths import is_pulley_wheel
 from sim2reason.questions.kinds import Kind, Measured, kind
 from sim2reason.questions.period_words import COUNTS, PeriodQuery, attracted_by, movers, noun_of, sentences
 from sim2reason.questions.query import Query
@@ -19,8 +15,12 @@ from sim2reason.questions.structured import EQUILIBRIUM, StructuredQuestion, res
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Targets
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
 from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.quantities.subjects.bodies import TurningBodies
+from sim2reason.simulation.quantities.subjects.pairs import pair
+from sim2reason.simulation.quantities.subjects.paths import is_pulley_wheel
 from sim2reason.simulation.rest.equilibrium import equilibrium, lone_equilibrium, steady
 from sim2reason.simulation.rest.oscillation import Oscillations, alike_at_rest, disagreement, oscillations
 

@@ -2,9 +2,6 @@
 
 import numpy as np
 
-from sim2reason.dsl.constancy import changing
-from sim2reason.dsl.mechanism import Elastic, Mechanism
-from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.change import changed, is_something
 from sim2reason.questions.choices import has_formula_of_time, only_falls, pick
 from sim2reason.questions.constancy import lasts
@@ -15,7 +12,10 @@ from sim2reason.questions.query import Query
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Targets
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.constancy import changing
+from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
 from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.quantities import QUANTITIES
 
 
 @kind

@@ -6,7 +6,6 @@ from itertools import combinations, groupby
 
 import numpy as np
 
-from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.kinds import KINDS, Measured, kind
 from sim2reason.questions.kinds.parts.nested import AWKWARD
 from sim2reason.questions.kinds.parts.which import OR, WhichKind, WhichQuery
@@ -17,6 +16,7 @@ from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Target, Targets, quantities_named, target_named, targets
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.quantities import QUANTITIES
 
 DISTANCE = "distance between {} and its starting point"
 INNER = ("state", "event", "start")

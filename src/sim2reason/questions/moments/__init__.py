@@ -7,10 +7,10 @@ from typing import ClassVar, Self
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.base.registry import Registry
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
-from sim2reason.registry import Registry
+from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import Trace
 

@@ -6,20 +6,20 @@ from typing import Self
 
 import numpy as np
 
-from sim2reason.dsl.state import Array, State
-from sim2reason.quantities.positions import Deflection, deflection_at_start
-from sim2reason.quantities.rotation import AngleTurned
-from sim2reason.quantities.subjects.bodies import TurningBodies
-from sim2reason.quantities.subjects.pairs import Pairs, members
-from sim2reason.quantities.subjects.paths import center_path
-from sim2reason.quantities.subjects.rods import SwingingLines
 from sim2reason.questions.moments import MOMENTS, Clause
 from sim2reason.questions.moments.parts.passage import Passage, Threshold
 from sim2reason.questions.moments.parts.verbs import Verb, when_phrases
 from sim2reason.questions.spoken import spoken
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.quantities.positions import Deflection, deflection_at_start
+from sim2reason.simulation.quantities.rotation import AngleTurned
+from sim2reason.simulation.quantities.subjects.bodies import TurningBodies
+from sim2reason.simulation.quantities.subjects.pairs import Pairs, members
+from sim2reason.simulation.quantities.subjects.paths import center_path
+from sim2reason.simulation.quantities.subjects.rods import SwingingLines
 from sim2reason.simulation.trace import Trace
 
 STRAIGHT_UP = 180.0  # degrees

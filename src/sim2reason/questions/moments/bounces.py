@@ -7,12 +7,6 @@ from typing import Self
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Meeting
-from sim2reason.dsl.state import Array, State
-from sim2reason.quantities.kinematics import Velocity
-from sim2reason.quantities.positions import Height
-from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.paths import EVEN
 from sim2reason.questions.crossing import crossings
 from sim2reason.questions.moments import MOMENTS, Clause
 from sim2reason.questions.moments.parts.distance import DistanceThreshold
@@ -21,7 +15,13 @@ from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.questions.spoken import ordinal, round_number
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.mechanism import Meeting
+from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.quantities.kinematics import Velocity
+from sim2reason.simulation.quantities.positions import Height
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
+from sim2reason.simulation.quantities.subjects.paths import EVEN
 from sim2reason.simulation.trace import Event, Trace
 
 GROUND, WALL, WALLS = "the ground", "the wall", "a wall"

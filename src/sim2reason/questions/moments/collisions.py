@@ -6,10 +6,6 @@ from typing import Self
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Meeting
-from sim2reason.dsl.state import State
-from sim2reason.quantities.kinematics import Velocity
-from sim2reason.quantities.subjects.pairs import AND, Pairs, members
 from sim2reason.questions.moments import MOMENTS, Moment
 from sim2reason.questions.moments.bounces import Bounced
 from sim2reason.questions.moments.parts.free_motion import meets_once, moves_freely
@@ -17,6 +13,10 @@ from sim2reason.questions.moments.parts.occurrence import VelocityJump
 from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.mechanism import Meeting
+from sim2reason.scenes.dsl.state import State
+from sim2reason.simulation.quantities.kinematics import Velocity
+from sim2reason.simulation.quantities.subjects.pairs import AND, Pairs, members
 from sim2reason.simulation.trace import Event, Trace
 
 SAME = 1e-9  # of a speed: what has changed by less has not

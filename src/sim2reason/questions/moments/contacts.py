@@ -6,9 +6,6 @@ from typing import Self
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism, Prop
-from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.contacts import Contacts
 from sim2reason.questions.choices import still
 from sim2reason.questions.moments import MOMENTS, Clause
 from sim2reason.questions.moments.parts.occurrence import Occurrence, VelocityJump
@@ -16,6 +13,9 @@ from sim2reason.questions.moments.parts.slip_change import SlipChange, rolls, sl
 from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.mechanism import Mechanism, Prop
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
+from sim2reason.simulation.quantities.subjects.contacts import Contacts
 from sim2reason.simulation.trace import Event, Trace
 
 

@@ -6,14 +6,6 @@ from typing import Self
 
 import numpy as np
 
-from sim2reason.dsl.constancy import may_turn_back
-from sim2reason.dsl.mechanism import ZERO, Mechanism
-from sim2reason.dsl.state import Array, State
-from sim2reason.quantities.kinematics import Acceleration, Displacement, Velocity
-from sim2reason.quantities.relative import DistanceBetween
-from sim2reason.quantities.subjects import Sense
-from sim2reason.quantities.subjects.bodies import AXES, OPPOSITE, RIGHT, UP, Bodies
-from sim2reason.quantities.subjects.paths import center_path, rides
 from sim2reason.questions.choices import only_falls
 from sim2reason.questions.crossing import crossings, first_crossing
 from sim2reason.questions.moments import MOMENTS, Clause
@@ -25,6 +17,14 @@ from sim2reason.questions.moments.parts.turning_points import Apsis
 from sim2reason.questions.moments.parts.verbs import Verb, when_phrases
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.constancy import may_turn_back
+from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.simulation.quantities.kinematics import Acceleration, Displacement, Velocity
+from sim2reason.simulation.quantities.relative import DistanceBetween
+from sim2reason.simulation.quantities.subjects import Sense
+from sim2reason.simulation.quantities.subjects.bodies import AXES, OPPOSITE, RIGHT, UP, Bodies
+from sim2reason.simulation.quantities.subjects.paths import center_path, rides
 from sim2reason.simulation.trace import Trace
 
 SELDOM = 0.05

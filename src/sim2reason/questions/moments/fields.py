@@ -7,19 +7,19 @@ from typing import ClassVar
 
 import numpy as np
 
-from sim2reason.dsl.fields import Push
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.vectors import Vector, inner
-from sim2reason.quantities.kinematics import Velocity
-from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.questions.moments import MOMENTS, Clause
 from sim2reason.questions.moments.parts.charged import SLIGHT, ActingFields, FieldPassage, begins
 from sim2reason.questions.moments.parts.occurrence import Occurrence
 from sim2reason.questions.moments.parts.passage import Threshold
 from sim2reason.questions.moments.parts.verbs import Verb, when_phrases
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.fields import Push
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.vectors import Vector, inner
 from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.quantities.kinematics import Velocity
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
 from sim2reason.simulation.trace import Trace
 
 

@@ -6,11 +6,6 @@ from typing import ClassVar, Self
 
 import numpy as np
 
-from sim2reason.dsl.frames import start
-from sim2reason.dsl.mechanism import Elastic, Mechanism
-from sim2reason.dsl.state import Array, State
-from sim2reason.quantities.springs import Extension
-from sim2reason.quantities.subjects.lines import Springs
 from sim2reason.questions.crossing import first_crossing
 from sim2reason.questions.moments import MOMENTS
 from sim2reason.questions.moments.parts.passage import Passage
@@ -18,7 +13,12 @@ from sim2reason.questions.moments.parts.turning_points import SpringTurn
 from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
+from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.quantities.springs import Extension
+from sim2reason.simulation.quantities.subjects.lines import Springs
 from sim2reason.simulation.trace import Trace
 
 

@@ -2,12 +2,12 @@
 
 from dataclasses import dataclass
 
-from sim2reason.dsl.mechanism import Inextensible
-from sim2reason.quantities.subjects.lines import Strings
 from sim2reason.questions.moments import MOMENTS
 from sim2reason.questions.moments.parts.occurrence import Occurrence, VelocityJump
 from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.mechanism import Inextensible
+from sim2reason.simulation.quantities.subjects.lines import Strings
 
 
 @MOMENTS.register("went_slack")

@@ -7,12 +7,6 @@ from typing import ClassVar
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.vectors import add, scale
-from sim2reason.quantities.kinematics import Acceleration, Displacement, Velocity
-from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.paths import EVEN, chain, extended, rides, ways_of
 from sim2reason.questions.choices import STILL, still
 from sim2reason.questions.crossing import crossings
 from sim2reason.questions.moments import MOMENTS
@@ -24,6 +18,12 @@ from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.questions.recurrence import ends_at_rest, nothing_new
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.vectors import add, scale
+from sim2reason.simulation.quantities.kinematics import Acceleration, Displacement, Velocity
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
+from sim2reason.simulation.quantities.subjects.paths import EVEN, chain, extended, rides, ways_of
 from sim2reason.simulation.trace import Event, Trace
 
 AS_FAST = 1e-6  # relative: what is slower by less is as fast

@@ -2,9 +2,9 @@
 
 import re
 
-from sim2reason.dsl.body import BODIES
-from sim2reason.dsl.scene import Scene
-from sim2reason.prose.description import describe
+from sim2reason.scenes.dsl.body import BODIES
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.text.prose.description import describe
 
 SETTING = frozenset(
     ["circle", "ground", "half-plane", "plane", "rectangle", "space", "start", "strip", "table", "track"]

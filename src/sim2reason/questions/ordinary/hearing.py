@@ -4,9 +4,6 @@ import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from sim2reason.quantities import QUANTITIES as REGISTERED
-from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.paths import chain
 from sim2reason.questions.moments.parts.slip_change import rolls
 from sim2reason.questions.ordinary.asides import without_asides, without_leads
 from sim2reason.questions.ordinary.base_forms import verb_forms
@@ -17,6 +14,9 @@ from sim2reason.questions.ordinary.whens import EVERYTHING
 from sim2reason.questions.spellings import plainly
 from sim2reason.questions.spoken import DIGITS
 from sim2reason.questions.words import Words
+from sim2reason.simulation.quantities import QUANTITIES as REGISTERED
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
+from sim2reason.simulation.quantities.subjects.paths import chain
 
 LONGEST = 400  # characters of a question
 ALL = "all"  # what is told of several at once

@@ -3,7 +3,6 @@
 import re
 from dataclasses import replace
 
-from sim2reason.dsl.fields import Resistance
 from sim2reason.errors import TextError
 from sim2reason.questions.following import Followed, FollowedMotion
 from sim2reason.questions.functionals import FUNCTIONALS
@@ -14,6 +13,7 @@ from sim2reason.questions.posing import PosedQuestion, posed
 from sim2reason.questions.query import Query
 from sim2reason.questions.structured import START, StructuredQuestion
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.fields import Resistance
 
 TIMES, GREATEST, AT_BURNOUT = " times that at start", " times the greatest", " times that at burnout"
 _MULTIPLE = re.compile(

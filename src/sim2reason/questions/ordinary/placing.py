@@ -6,12 +6,6 @@ from dataclasses import replace
 from itertools import product
 
 from sim2reason.errors import TextError
-from sim2reason.quantities import QUANTITIES
-from sim2reason.quantities.subjects import Sense
-from sim2reason.quantities.subjects.bodies import RIGHT, Bodies, TurningBodies
-from sim2reason.quantities.subjects.pairs import AND, Pairs, members
-from sim2reason.quantities.subjects.paths import center_path, turning_axes
-from sim2reason.quantities.subjects.rods import SwingingLines
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.ordinary.force_readers import ON_AXLE
 from sim2reason.questions.ordinary.multiples import LATE
@@ -40,6 +34,12 @@ from sim2reason.questions.spoken import ORDINALS
 from sim2reason.questions.structured import START, StructuredQuestion, resolved
 from sim2reason.questions.targets import quantities_named
 from sim2reason.questions.words import Words
+from sim2reason.simulation.quantities import QUANTITIES
+from sim2reason.simulation.quantities.subjects import Sense
+from sim2reason.simulation.quantities.subjects.bodies import RIGHT, Bodies, TurningBodies
+from sim2reason.simulation.quantities.subjects.pairs import AND, Pairs, members
+from sim2reason.simulation.quantities.subjects.paths import center_path, turning_axes
+from sim2reason.simulation.quantities.subjects.rods import SwingingLines
 from sim2reason.simulation.trace import Event
 
 EVEN = 1e-9

@@ -4,12 +4,6 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from sim2reason.dsl.state import State
-from sim2reason.quantities import QUANTITIES
-from sim2reason.quantities.kinematics import Displacement, Velocity
-from sim2reason.quantities.positions import Height
-from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.paths import center_path
 from sim2reason.questions.following import Followed
 from sim2reason.questions.ordinary.hearing import ALL
 from sim2reason.questions.ordinary.presumed_of_scenes import PRESUMED, borne, held
@@ -31,6 +25,12 @@ from sim2reason.questions.query import Query
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Target
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.state import State
+from sim2reason.simulation.quantities import QUANTITIES
+from sim2reason.simulation.quantities.kinematics import Displacement, Velocity
+from sim2reason.simulation.quantities.positions import Height
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
+from sim2reason.simulation.quantities.subjects.paths import center_path
 from sim2reason.simulation.trace import Trace
 
 SOON, LATE = 0.01, 0.9  # of the stretch up to the next event, or to the end of the known motion

@@ -5,14 +5,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import ZERO, ConstantTension
-from sim2reason.quantities import QUANTITIES
-from sim2reason.quantities.kinematics import Acceleration, Displacement, Velocity
-from sim2reason.quantities.subjects.axles import Pulleys
-from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.lines import Springs
-from sim2reason.quantities.subjects.paths import center_path, chain
-from sim2reason.quantities.subjects.rods import SwingingLines
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.questions.ordinary.presumptions import EVEN, OTHERS, STEADY, Case, named, one_way
 from sim2reason.questions.ordinary.vocabulary import (
@@ -40,6 +32,14 @@ from sim2reason.questions.ordinary.vocabulary import (
 )
 from sim2reason.questions.ordinary.whens import fixed_end
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.mechanism import ZERO, ConstantTension
+from sim2reason.simulation.quantities import QUANTITIES
+from sim2reason.simulation.quantities.kinematics import Acceleration, Displacement, Velocity
+from sim2reason.simulation.quantities.subjects.axles import Pulleys
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
+from sim2reason.simulation.quantities.subjects.lines import Springs
+from sim2reason.simulation.quantities.subjects.paths import center_path, chain
+from sim2reason.simulation.quantities.subjects.rods import SwingingLines
 
 
 def _address(said: str, words: Words) -> str:

@@ -6,14 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sim2reason.dsl.fields import Magnetic, Push
-from sim2reason.dsl.mechanism import ZERO, Mechanism
 from sim2reason.errors import TextError
-from sim2reason.quantities.kinematics import Acceleration, Displacement, Velocity
-from sim2reason.quantities.springs import Extension
-from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.lines import Springs
-from sim2reason.quantities.subjects.paths import center_path
 from sim2reason.questions.following import Followed
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
@@ -49,6 +42,13 @@ from sim2reason.questions.query import Query
 from sim2reason.questions.recurrence import ends_at_rest
 from sim2reason.questions.structured import resolved
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.fields import Magnetic, Push
+from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism
+from sim2reason.simulation.quantities.kinematics import Acceleration, Displacement, Velocity
+from sim2reason.simulation.quantities.springs import Extension
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
+from sim2reason.simulation.quantities.subjects.lines import Springs
+from sim2reason.simulation.quantities.subjects.paths import center_path
 from sim2reason.simulation.rest.equilibrium import equilibrium
 
 STEADY, EVEN = 1e-6, 1e-9  # relative

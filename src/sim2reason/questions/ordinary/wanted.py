@@ -5,9 +5,6 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import product
 
-from sim2reason.dsl.scene import Scene
-from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.paths import center_path
 from sim2reason.questions.moments.parts.slip_change import rolls
 from sim2reason.questions.ordinary.clauses import whens
 from sim2reason.questions.ordinary.hearing import Heard
@@ -19,6 +16,9 @@ from sim2reason.questions.ordinary.whens import CONNECTORS, When, addresses
 from sim2reason.questions.structured import START, StructuredQuestion
 from sim2reason.questions.targets import OWN_PATH
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
+from sim2reason.simulation.quantities.subjects.paths import center_path
 
 NUMBERS: Mapping[str, str] = {
     "mass": "mass",

@@ -4,18 +4,18 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from sim2reason.dsl.frames import start
-from sim2reason.dsl.mechanism import Elastic
-from sim2reason.quantities.subjects.axles import Pulleys
-from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.lines import STRETCHED, Springs
-from sim2reason.quantities.subjects.pairs import AND
-from sim2reason.quantities.subjects.paths import EVEN
-from sim2reason.quantities.subjects.rods import SwingingLines
 from sim2reason.questions.ordinary.vocabulary import DOWN, MOTIONS, ROLL, ROLLING, UP, WAYS, meant
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.targets import quantities_named
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.mechanism import Elastic
+from sim2reason.simulation.quantities.subjects.axles import Pulleys
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
+from sim2reason.simulation.quantities.subjects.lines import STRETCHED, Springs
+from sim2reason.simulation.quantities.subjects.pairs import AND
+from sim2reason.simulation.quantities.subjects.paths import EVEN
+from sim2reason.simulation.quantities.subjects.rods import SwingingLines
 
 EVERYTHING = "everything"  # all subjects of a quantity together
 

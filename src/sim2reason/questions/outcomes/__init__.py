@@ -7,12 +7,12 @@ from typing import ClassVar, Self
 
 import numpy as np
 
-from sim2reason.dsl.constancy import changing
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.scene import Scene
-from sim2reason.quantities.subjects import Subject
+from sim2reason.base.registry import Registry
 from sim2reason.questions.words import Words
-from sim2reason.registry import Registry
+from sim2reason.scenes.dsl.constancy import changing
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.simulation.quantities.subjects import Subject
 from sim2reason.simulation.trace import Trace
 
 ONSET = 0.01  # of the horizon: how long it takes to see what a release brings about

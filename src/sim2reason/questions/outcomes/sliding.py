@@ -5,10 +5,6 @@ from math import isfinite
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import ZERO, Mechanism
-from sim2reason.dsl.scene import Scene
-from sim2reason.quantities.subjects.bodies import Bodies
-from sim2reason.quantities.subjects.contacts import Contacts
 from sim2reason.questions.moments.parts.slip_change import rolls, slip
 from sim2reason.questions.outcomes import (
     OUTCOMES,
@@ -19,6 +15,10 @@ from sim2reason.questions.outcomes import (
     rest_speed_noise,
 )
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
+from sim2reason.simulation.quantities.subjects.contacts import Contacts
 from sim2reason.simulation.trace import Trace
 
 

@@ -2,13 +2,13 @@
 
 from dataclasses import dataclass
 
-from sim2reason.dsl.mechanism import Inextensible
-from sim2reason.quantities.kinematics import Acceleration, Velocity
-from sim2reason.quantities.subjects.bodies import UP, Bodies
-from sim2reason.quantities.subjects.paths import center_path, rides
-from sim2reason.quantities.subjects.rods import SwingingLines
 from sim2reason.questions.outcomes import NOTHING, OUTCOMES, Onset, Swinging, is_steady_release, rest_speed_noise
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.mechanism import Inextensible
+from sim2reason.simulation.quantities.kinematics import Acceleration, Velocity
+from sim2reason.simulation.quantities.subjects.bodies import UP, Bodies
+from sim2reason.simulation.quantities.subjects.paths import center_path, rides
+from sim2reason.simulation.quantities.subjects.rods import SwingingLines
 from sim2reason.simulation.trace import Trace
 
 BOTH = 2  # sides at which what swings is when it no longer moves to the left or right

@@ -5,13 +5,13 @@ from math import inf
 
 import numpy as np
 
-from sim2reason.quantities.rotation import AngleTurned
-from sim2reason.quantities.subjects.bodies import TurningBodies
-from sim2reason.quantities.subjects.paths import turning_axes
-from sim2reason.quantities.subjects.rods import SwingingLines
 from sim2reason.questions.outcomes import OUTCOMES, Swinging
 from sim2reason.questions.outcomes.strings import GoesSlack
 from sim2reason.questions.words import Words
+from sim2reason.simulation.quantities.rotation import AngleTurned
+from sim2reason.simulation.quantities.subjects.bodies import TurningBodies
+from sim2reason.simulation.quantities.subjects.paths import turning_axes
+from sim2reason.simulation.quantities.subjects.rods import SwingingLines
 from sim2reason.simulation.trace import Trace
 
 STILL = 1e-3  # of its greatest speed: what is slower where it goes neither up nor down turns back

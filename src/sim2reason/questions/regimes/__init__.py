@@ -8,10 +8,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar, Self
 
-from sim2reason.quantities.subjects import Subject
+from sim2reason.base.registry import Registry
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
-from sim2reason.registry import Registry
+from sim2reason.simulation.quantities.subjects import Subject
 
 FEW = 2  # that one question assumes, at most
 

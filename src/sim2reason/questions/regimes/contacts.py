@@ -7,18 +7,18 @@ from typing import Self
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.template import COUNT_WORDS
-from sim2reason.prose.phrases import join
-from sim2reason.quantities.subjects.bodies import RIGHT
-from sim2reason.quantities.subjects.contacts import Contacts
-from sim2reason.quantities.subjects.pairs import AND, Pairs
 from sim2reason.questions.moments.bounces import GROUND, WALL, struck
 from sim2reason.questions.moments.parts.slip_change import slip
 from sim2reason.questions.regimes import REGIMES, Regime
 from sim2reason.questions.regimes.directions import OPPOSITE
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.template import COUNT_WORDS
+from sim2reason.simulation.quantities.subjects.bodies import RIGHT
+from sim2reason.simulation.quantities.subjects.contacts import Contacts
+from sim2reason.simulation.quantities.subjects.pairs import AND, Pairs
+from sim2reason.text.prose.phrases import join
 
 MOST = 3  # collisions that a clause lists
 ORDERS = 100  # of so many: where more are possible, shorter lists are looked at alone

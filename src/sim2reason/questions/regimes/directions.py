@@ -7,26 +7,26 @@ from typing import Self
 
 import numpy as np
 
-from sim2reason.dsl.constancy import changing
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array
-from sim2reason.dsl.vectors import Vector, inner
 from sim2reason.errors import SceneError
-from sim2reason.quantities.kinematics import Acceleration, Velocity
-from sim2reason.quantities.positions import Deflection, deflection_at_start
-from sim2reason.quantities.subjects import Sense
-from sim2reason.quantities.subjects.bodies import OPPOSITE, RIGHT, Bodies
-from sim2reason.quantities.subjects.paths import center_path
-from sim2reason.quantities.subjects.rods import (
+from sim2reason.questions.regimes import REGIMES, Regime
+from sim2reason.questions.study import Study
+from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.constancy import changing
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.state import Array
+from sim2reason.scenes.dsl.vectors import Vector, inner
+from sim2reason.simulation.quantities.kinematics import Acceleration, Velocity
+from sim2reason.simulation.quantities.positions import Deflection, deflection_at_start
+from sim2reason.simulation.quantities.subjects import Sense
+from sim2reason.simulation.quantities.subjects.bodies import OPPOSITE, RIGHT, Bodies
+from sim2reason.simulation.quantities.subjects.paths import center_path
+from sim2reason.simulation.quantities.subjects.rods import (
     SwingingLines,
     carries_on_both_sides,
     is_light_rod,
     load_center,
     welded_to,
 )
-from sim2reason.questions.regimes import REGIMES, Regime
-from sim2reason.questions.study import Study
-from sim2reason.questions.words import Words
 
 RIGHT_ANGLE = 90.0  # degrees
 

@@ -7,13 +7,13 @@ from typing import Self
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Prop
-from sim2reason.quantities.kinematics import Acceleration, Velocity
-from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.questions.regimes import REGIMES, Regime
 from sim2reason.questions.regimes.directions import MovesOneWay
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.mechanism import Prop
+from sim2reason.simulation.quantities.kinematics import Acceleration, Velocity
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
 
 THEN = 1e-9  # relative: a moment that is no farther from burn-out is that
 

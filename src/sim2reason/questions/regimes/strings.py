@@ -7,11 +7,11 @@ from typing import Self
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import ConstantTension, Elastic, Mechanism
-from sim2reason.quantities.subjects.lines import Strings
 from sim2reason.questions.regimes import REGIMES, Regime
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.mechanism import ConstantTension, Elastic, Mechanism
+from sim2reason.simulation.quantities.subjects.lines import Strings
 
 SLACK = 1e-9  # N
 

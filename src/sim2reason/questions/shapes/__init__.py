@@ -11,8 +11,8 @@ from typing import ClassVar, TypeVar
 
 import numpy as np
 
-from sim2reason.prose.description import Description
-from sim2reason.registry import Registry
+from sim2reason.base.registry import Registry
+from sim2reason.text.prose.description import Description
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,6 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from sim2reason.prose.description import Description
 from sim2reason.questions.shapes import Draft, PromptShape, shape
 from sim2reason.questions.shapes.parts.units import (
     assumptions,
@@ -16,6 +15,7 @@ from sim2reason.questions.shapes.parts.units import (
     units,
     without_assumptions,
 )
+from sim2reason.text.prose.description import Description
 
 
 @shape

@@ -5,13 +5,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from sim2reason.dsl.model import Parameter
-from sim2reason.prose.description import Description
-from sim2reason.prose.phrases import join
-from sim2reason.prose.symbol_names import with_names, without_names
-from sim2reason.prose.voices import Voice, symbolic
 from sim2reason.questions.shapes import Draft, PromptShape, shape
 from sim2reason.questions.shapes.parts.units import QUESTION, is_table, one_of, splits, text_of, units
+from sim2reason.scenes.dsl.model import Parameter
+from sim2reason.text.prose.description import Description
+from sim2reason.text.prose.phrases import join
+from sim2reason.text.prose.symbol_names import with_names, without_names
+from sim2reason.text.prose.voices import Voice, symbolic
 
 LEADS = ("Data: ", "Numerical values: ", "Take ", "Use ", "Let ")
 FEWEST, MOST = 2, 12

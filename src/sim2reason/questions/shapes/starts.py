@@ -5,8 +5,6 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from sim2reason.prose.closings import RESTS, TAUT, is_lone
-from sim2reason.prose.description import Description
 from sim2reason.questions.shapes import Draft, PromptShape, shape
 from sim2reason.questions.shapes.parts.units import (
     begins_plainly,
@@ -18,6 +16,8 @@ from sim2reason.questions.shapes.parts.units import (
     units,
     without_assumptions,
 )
+from sim2reason.text.prose.closings import RESTS, TAUT, is_lone
+from sim2reason.text.prose.description import Description
 
 CLAUSES = (
     "If the motion starts from rest{taut}, ",

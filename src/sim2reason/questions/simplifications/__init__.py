@@ -8,10 +8,10 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterable
 from typing import ClassVar, TypeVar
 
-from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.base.registry import Registry
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import Study
-from sim2reason.registry import Registry
+from sim2reason.scenes.dsl.mechanism import Mechanism
 
 
 class Simplification(ABC):

@@ -4,9 +4,6 @@ from collections.abc import Iterable
 from dataclasses import replace
 from math import inf, isfinite
 
-from sim2reason.dsl.constancy import changing
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array
 from sim2reason.questions.crossing import crossings
 from sim2reason.questions.moments.parts.passage import Passage
 from sim2reason.questions.query import Query
@@ -15,6 +12,9 @@ from sim2reason.questions.simplifications.parts.asked import asked_until
 from sim2reason.questions.simplifications.parts.restitution import OneRestitution
 from sim2reason.questions.simplifications.parts.steady import with_formulas
 from sim2reason.questions.study import Study, Timed
+from sim2reason.scenes.dsl.constancy import changing
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.trace import happened
 
 

@@ -7,16 +7,16 @@ from math import pi
 
 import numpy as np
 
-from sim2reason.dsl.ablation import weighs, with_lines
-from sim2reason.dsl.constancy import changing
-from sim2reason.dsl.mechanism import ConstantTension, Elastic, Line, Mechanism
-from sim2reason.dsl.state import Array, Dynamics, State
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism, OtherReading, Simplification, simplification
 from sim2reason.questions.simplifications.parts.hanging import hanging
 from sim2reason.questions.simplifications.parts.orbits import Motion, PlanetOrbit, moving_as, orbits
 from sim2reason.questions.simplifications.parts.steady import is_steady, with_formulas
 from sim2reason.questions.study import Study
+from sim2reason.scenes.dsl.ablation import weighs, with_lines
+from sim2reason.scenes.dsl.constancy import changing
+from sim2reason.scenes.dsl.mechanism import ConstantTension, Elastic, Line, Mechanism
+from sim2reason.scenes.dsl.state import Array, Dynamics, State
 from sim2reason.simulation.rest.equilibrium import Rest, equilibrium
 from sim2reason.simulation.rest.oscillation import Oscillations, oscillations
 from sim2reason.simulation.trace import Trace

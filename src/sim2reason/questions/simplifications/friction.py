@@ -4,13 +4,13 @@ from collections.abc import Iterable
 from dataclasses import replace
 from math import inf, isfinite
 
-from sim2reason.dsl.ablation import weighs
-from sim2reason.dsl.frames import start
-from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism, simplification
 from sim2reason.questions.simplifications.parts.which import rough
 from sim2reason.questions.study import Study
+from sim2reason.scenes.dsl.ablation import weighs
+from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.mechanism import Mechanism
 
 
 @simplification

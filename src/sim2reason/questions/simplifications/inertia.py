@@ -3,14 +3,14 @@
 from collections.abc import Iterable
 from dataclasses import replace
 
-from sim2reason.dsl.ablation import inertialess, with_bodies
-from sim2reason.dsl.mechanism import ZERO, Mechanism, RigidBody
-from sim2reason.dsl.solids import Solid
-from sim2reason.dsl.vectors import Vector, add, inner, scale
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism, simplification
 from sim2reason.questions.simplifications.parts.which import OtherFigure, solid
 from sim2reason.questions.study import Study
+from sim2reason.scenes.dsl.ablation import inertialess, with_bodies
+from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism, RigidBody
+from sim2reason.scenes.dsl.solids import Solid
+from sim2reason.scenes.dsl.vectors import Vector, add, inner, scale
 
 
 @simplification

@@ -3,15 +3,15 @@
 from collections.abc import Iterable
 from dataclasses import replace
 
-from sim2reason.dsl.ablation import NEARLY_NOTHING, held, left_out, weighs, with_bodies, with_lines
-from sim2reason.dsl.constancy import bending
-from sim2reason.dsl.frames import start
-from sim2reason.dsl.mechanism import ConstantTension, Elastic, Line, Mechanism, RigidBody
-from sim2reason.dsl.vectors import scale
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism, simplification
 from sim2reason.questions.simplifications.parts.which import carriers, massive, others
 from sim2reason.questions.study import Study
+from sim2reason.scenes.dsl.ablation import NEARLY_NOTHING, held, left_out, weighs, with_bodies, with_lines
+from sim2reason.scenes.dsl.constancy import bending
+from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.mechanism import ConstantTension, Elastic, Line, Mechanism, RigidBody
+from sim2reason.scenes.dsl.vectors import scale
 
 
 @simplification

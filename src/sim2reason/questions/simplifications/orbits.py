@@ -7,8 +7,6 @@ from math import hypot, sqrt
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Attraction, Mechanism
-from sim2reason.dsl.state import Array
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism, OtherReading, simplification
 from sim2reason.questions.simplifications.parts.asked import asked_name
@@ -24,6 +22,8 @@ from sim2reason.questions.simplifications.parts.orbits import (
     with_velocities,
 )
 from sim2reason.questions.study import Study
+from sim2reason.scenes.dsl.mechanism import Attraction, Mechanism
+from sim2reason.scenes.dsl.state import Array
 
 
 @simplification

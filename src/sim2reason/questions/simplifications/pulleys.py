@@ -3,14 +3,14 @@
 from collections.abc import Iterable
 from dataclasses import replace
 
-from sim2reason.dsl.ablation import NEARLY_NOTHING, held, with_bodies, with_lines
-from sim2reason.dsl.mechanism import ConstantTension, Inextensible, Line, Mechanism, Rigid, RigidBody
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism, simplification
 from sim2reason.questions.simplifications.parts.asked import asked_until
 from sim2reason.questions.simplifications.parts.hanging import carried, movable_pulleys
 from sim2reason.questions.simplifications.parts.which import wheels
 from sim2reason.questions.study import Study
+from sim2reason.scenes.dsl.ablation import NEARLY_NOTHING, held, with_bodies, with_lines
+from sim2reason.scenes.dsl.mechanism import ConstantTension, Inextensible, Line, Mechanism, Rigid, RigidBody
 
 
 @simplification

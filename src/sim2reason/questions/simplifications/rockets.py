@@ -4,14 +4,14 @@ from collections.abc import Iterable
 from dataclasses import replace
 from math import log
 
-from sim2reason.dsl.ablation import weighs, with_bodies
-from sim2reason.dsl.frames import start
-from sim2reason.dsl.mechanism import Attraction, Burn, Mechanism
-from sim2reason.dsl.vectors import Vector, minus, scale
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism, simplification
 from sim2reason.questions.simplifications.parts.burning import BurningSlip, without_loss
 from sim2reason.questions.study import Study
+from sim2reason.scenes.dsl.ablation import weighs, with_bodies
+from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.mechanism import Attraction, Burn, Mechanism
+from sim2reason.scenes.dsl.vectors import Vector, minus, scale
 
 
 @simplification

@@ -7,12 +7,12 @@ from functools import lru_cache
 
 import numpy as np
 
-from sim2reason.dsl.constancy import changing
-from sim2reason.dsl.fields import Magnetic, Push
-from sim2reason.dsl.mechanism import Inextensible, Mechanism
-from sim2reason.dsl.state import Dynamics, State
+from sim2reason.base.lazy import cached_property
 from sim2reason.errors import UnsupportedError
-from sim2reason.lazy import cached_property
+from sim2reason.scenes.dsl.constancy import changing
+from sim2reason.scenes.dsl.fields import Magnetic, Push
+from sim2reason.scenes.dsl.mechanism import Inextensible, Mechanism
+from sim2reason.scenes.dsl.state import Dynamics, State
 from sim2reason.simulation.rest.loads import EXACT, LITTLE, Loads, RestingLoads, Vector, shared, symmetric, ways
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from sim2reason.dsl.mechanism import Elastic, Mechanism
+from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.system import System
 from sim2reason.simulation.engines.exact.tape import Tape

@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from sim2reason.dsl.displaced import displaced
-from sim2reason.dsl.fields import Push
-from sim2reason.dsl.mechanism import Elastic, Mechanism
-from sim2reason.dsl.state import State
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.scenes.dsl.displaced import displaced
+from sim2reason.scenes.dsl.fields import Push
+from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
+from sim2reason.scenes.dsl.state import State
 from sim2reason.simulation.certify import SMOOTH, WITNESS
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.system import System

@@ -8,8 +8,8 @@ from typing import Literal, cast
 
 import numpy as np
 
-from sim2reason.dsl.state import Array
-from sim2reason.record import record
+from sim2reason.base.record import record
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.evaluated import Worked
 from sim2reason.solutions.algebra.expressions import (
     ONE,

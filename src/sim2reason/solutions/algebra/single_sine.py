@@ -6,7 +6,7 @@ from math import pi
 
 import numpy as np
 
-from sim2reason.dsl.state import Array
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.evaluated import Chain, ClosedRoot, NumericRoot
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Product, Sum, Symbol, added, ratio
 from sim2reason.solutions.algebra.functions import Call, Power, summed

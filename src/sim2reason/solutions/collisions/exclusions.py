@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import inf
 
-from sim2reason.dsl.mechanism import Meeting
+from sim2reason.scenes.dsl.mechanism import Meeting
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, ratio
 from sim2reason.solutions.algebra.polynomials import NIL
 from sim2reason.solutions.collisions.impacts import Impacts

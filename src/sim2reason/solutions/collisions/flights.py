@@ -5,10 +5,10 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from sim2reason.dsl.frames import Frames, start
-from sim2reason.dsl.mechanism import Meeting
-from sim2reason.dsl.vectors import Vector, product
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
+from sim2reason.scenes.dsl.frames import Frames, start
+from sim2reason.scenes.dsl.mechanism import Meeting
+from sim2reason.scenes.dsl.vectors import Vector, product
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.collisions.legs import Impact, Leg

@@ -2,8 +2,8 @@
 
 from abc import ABC, abstractmethod
 
-from sim2reason.dsl.mechanism import Meeting
 from sim2reason.questions.spoken import ORDINALS
+from sim2reason.scenes.dsl.mechanism import Meeting
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.algebra.functions import Root, squares
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial

@@ -4,9 +4,9 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from sim2reason.dsl.frames import Frames
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.vectors import minus, product
+from sim2reason.scenes.dsl.frames import Frames
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.vectors import minus, product
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.setting import capital, joined
 from sim2reason.solutions.solution import Step

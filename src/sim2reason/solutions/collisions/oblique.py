@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from sim2reason.dsl.vectors import minus, product
+from sim2reason.scenes.dsl.vectors import minus, product
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.algebra.functions import Power, Root, squares, summed
 from sim2reason.solutions.algebra.polynomials import Polynomial

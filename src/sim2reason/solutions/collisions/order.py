@@ -4,8 +4,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 from math import inf
 
-from sim2reason.dsl.mechanism import Meeting
-from sim2reason.dsl.vectors import minus, product
+from sim2reason.scenes.dsl.mechanism import Meeting
+from sim2reason.scenes.dsl.vectors import minus, product
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, multiplied, ratio
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root, squares, summed
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial

@@ -3,10 +3,10 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from sim2reason.bodies.charges import ChargedBead
-from sim2reason.dsl.fields import Magnetic, Profile, Push, Resistance
-from sim2reason.dsl.mechanism import Force, Mechanism
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
+from sim2reason.scenes.bodies.charges import ChargedBead
+from sim2reason.scenes.dsl.fields import Magnetic, Profile, Push, Resistance
+from sim2reason.scenes.dsl.mechanism import Force, Mechanism
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.algebra.plain_latex import plain_latex

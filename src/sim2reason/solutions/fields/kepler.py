@@ -8,9 +8,9 @@ c₁ r₀ + c₂ v₀, as Lagrange has it (Bate, Mueller and White, *Fundamental
 from collections.abc import Callable
 from math import cos, pi, sin
 
-from sim2reason.dsl.frames import start
-from sim2reason.dsl.vectors import minus
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
+from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.vectors import minus
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, length_of, squares

@@ -6,10 +6,10 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from typing import Protocol, Self
 
-from sim2reason.dsl.mechanism import X, Y, Z
-from sim2reason.dsl.vectors import Vector
+from sim2reason.base.registry import Registry
 from sim2reason.questions import Target
-from sim2reason.registry import Registry
+from sim2reason.scenes.dsl.mechanism import X, Y, Z
+from sim2reason.scenes.dsl.vectors import Vector
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial, total

@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from sim2reason.quantities.subjects.pairs import members
 from sim2reason.questions import Target
+from sim2reason.simulation.quantities.subjects.pairs import members
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.goals import GOALS, Components, Goal, Known, VectorName, finish, magnitude
 

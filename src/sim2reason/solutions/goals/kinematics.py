@@ -5,9 +5,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
-from sim2reason.quantities.subjects import Sense
-from sim2reason.quantities.subjects.pairs import members
 from sim2reason.questions import Target
+from sim2reason.simulation.quantities.subjects import Sense
+from sim2reason.simulation.quantities.subjects.pairs import members
 from sim2reason.solutions.algebra.expressions import Expression, Symbol, multiplied, ratio
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root
 from sim2reason.solutions.goals import GOALS, Components, Goal, Known, VectorName, finish, magnitude, modulus

@@ -2,8 +2,8 @@
 
 from collections.abc import Mapping, Sequence
 
-from sim2reason.dsl.vectors import product
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
+from sim2reason.scenes.dsl.vectors import product
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.laws.common_rates import ACCELERATIONS, STILL, Measure, Shared, equal

@@ -4,11 +4,11 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import State
-from sim2reason.dsl.vectors import Number as Quantity
-from sim2reason.dsl.vectors import Vector
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.state import State
+from sim2reason.scenes.dsl.vectors import Number as Quantity
+from sim2reason.scenes.dsl.vectors import Vector
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.lengths import Phase, RowTerms
 from sim2reason.simulation.engines.exact.tape import Symbol as Recorded

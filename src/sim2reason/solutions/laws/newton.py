@@ -10,11 +10,11 @@ from dataclasses import dataclass
 from functools import reduce
 from operator import mul
 
-from sim2reason.dsl.fields import Push
-from sim2reason.dsl.frames import Frames, start
-from sim2reason.dsl.mechanism import ConstantTension, Line, Mechanism
-from sim2reason.dsl.vectors import Triple, applied, product
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
+from sim2reason.scenes.dsl.fields import Push
+from sim2reason.scenes.dsl.frames import Frames, start
+from sim2reason.scenes.dsl.mechanism import ConstantTension, Line, Mechanism
+from sim2reason.scenes.dsl.vectors import Triple, applied, product
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total

@@ -4,11 +4,11 @@ from collections.abc import Callable
 
 import numpy as np
 
-from sim2reason.dsl.frames import start
-from sim2reason.dsl.mechanism import Attraction, Burn, Mechanism
-from sim2reason.dsl.vectors import Vector
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.mechanism import Attraction, Burn, Mechanism
+from sim2reason.scenes.dsl.vectors import Vector
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, ratio
 from sim2reason.solutions.algebra.functions import Call, Power
 from sim2reason.solutions.algebra.polynomials import Polynomial

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from math import isinf
 
-from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, multiplied
 from sim2reason.solutions.algebra.inverse import put_all
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial

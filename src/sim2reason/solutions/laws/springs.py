@@ -1,7 +1,7 @@
 """Newton's laws of bodies on straight ways that springs pull, too; the force of spring n is the unknown ``S`` n."""
 
-from sim2reason.dsl.frames import Frames
-from sim2reason.dsl.mechanism import Elastic, Line, Mechanism
+from sim2reason.scenes.dsl.frames import Frames
+from sim2reason.scenes.dsl.mechanism import Elastic, Line, Mechanism
 from sim2reason.solutions.algebra.polynomials import Polynomial
 from sim2reason.solutions.laws.newton import Newton, symbol
 from sim2reason.solutions.writing.lexicon import Both, UnreadError

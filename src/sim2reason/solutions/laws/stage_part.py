@@ -7,9 +7,9 @@ from itertools import pairwise
 from math import isinf
 from typing import Protocol
 
-from sim2reason.dsl.frames import Frames
-from sim2reason.dsl.mechanism import ConstantTension, Mechanism
-from sim2reason.dsl.vectors import minus, product
+from sim2reason.scenes.dsl.frames import Frames
+from sim2reason.scenes.dsl.mechanism import ConstantTension, Mechanism
+from sim2reason.scenes.dsl.vectors import minus, product
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.goals import Stretch

@@ -4,10 +4,10 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from collections.abc import Set as AbstractSet
 
-from sim2reason.dsl.frames import Frames, start
-from sim2reason.dsl.vectors import Vector, minus, product
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
 from sim2reason.questions import Target
+from sim2reason.scenes.dsl.frames import Frames, start
+from sim2reason.scenes.dsl.vectors import Vector, minus, product
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.goals import AXES, GOALS, Components, Goal, Stretch, Struck

@@ -2,8 +2,8 @@
 
 from abc import abstractmethod
 
-from sim2reason.dsl.vectors import Vector, product
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
+from sim2reason.scenes.dsl.vectors import Vector, product
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.elimination import solved
 from sim2reason.solutions.algebra.expressions import Symbol

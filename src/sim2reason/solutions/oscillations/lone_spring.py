@@ -4,12 +4,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import hypot
 
-from sim2reason.dsl.frames import start
-from sim2reason.dsl.mechanism import Elastic, Mechanism
-from sim2reason.dsl.vectors import minus
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.springs import MostCompressed, MostStretched, NaturalLength
+from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
+from sim2reason.scenes.dsl.vectors import minus
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Power, length_of
 from sim2reason.solutions.oscillations.net_force import greatest_target

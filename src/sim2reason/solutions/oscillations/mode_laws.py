@@ -7,8 +7,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from sim2reason.dsl.state import Array
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.evaluated import QuadraticRoot, Worked
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.fractions import over, signed_permutations

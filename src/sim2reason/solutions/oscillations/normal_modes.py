@@ -6,9 +6,9 @@ from math import inf
 
 import numpy as np
 
-from sim2reason.dsl.state import Array
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
 from sim2reason.questions.period_words import SPEEDS, PeriodQuery
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.elimination import solved
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.fractions import cramer

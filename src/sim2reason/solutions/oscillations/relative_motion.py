@@ -5,9 +5,9 @@ from typing import Self
 
 import numpy as np
 
-from sim2reason.bodies.planes import Track
-from sim2reason.dsl.state import Array
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
+from sim2reason.scenes.bodies.planes import Track
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.algebra.fractions import over
 from sim2reason.solutions.algebra.functions import Power

@@ -4,10 +4,10 @@ from abc import abstractmethod
 
 import numpy as np
 
-from sim2reason.dsl.state import Array
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.turning_points import Stopped
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.elimination import solved
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.fractions import over

@@ -4,16 +4,16 @@ from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
-from sim2reason.dsl.frames import start
-from sim2reason.dsl.vectors import Number as Quantity
-from sim2reason.quantities.subjects.pairs import members
 from sim2reason.questions import Moment
 from sim2reason.questions.moments.angles import Deflected, TurnedThrough
 from sim2reason.questions.moments.distances import Away, Closest, Farthest, Moved
 from sim2reason.questions.moments.springs import MostCompressed, MostStretched, NaturalLength
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import HighestPoint, LowestPoint, Stopped
+from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.vectors import Number as Quantity
 from sim2reason.simulation.engines.exact.assembly import Assembly
+from sim2reason.simulation.quantities.subjects.pairs import members
 from sim2reason.simulation.trace import Event
 from sim2reason.solutions.algebra.expressions import Expression, Symbol
 from sim2reason.solutions.algebra.functions import Absolute, Call, Root, squares, values

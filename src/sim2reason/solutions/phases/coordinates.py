@@ -4,10 +4,10 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from math import atan2, pi
 
-from sim2reason.dsl.frames import Frames, start
-from sim2reason.dsl.mechanism import Coordinate, Mechanism
-from sim2reason.dsl.units import parse_unit
-from sim2reason.dsl.vectors import inner, minus, product
+from sim2reason.scenes.dsl.frames import Frames, start
+from sim2reason.scenes.dsl.mechanism import Coordinate, Mechanism
+from sim2reason.scenes.dsl.units import parse_unit
+from sim2reason.scenes.dsl.vectors import inner, minus, product
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.laws.equations_of_motion import Names

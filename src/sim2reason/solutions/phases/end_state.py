@@ -3,11 +3,11 @@
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
-from sim2reason.dsl.frames import start
-from sim2reason.dsl.vectors import Vector
-from sim2reason.quantities.subjects.pairs import members
 from sim2reason.questions import Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.vectors import Vector
+from sim2reason.simulation.quantities.subjects.pairs import members
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, multiplied
 from sim2reason.solutions.algebra.functions import Absolute, squares
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total

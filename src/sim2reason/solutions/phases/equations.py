@@ -4,9 +4,9 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from sim2reason.dsl.frames import start
-from sim2reason.dsl.state import Array, State
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
+from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.engines.exact.lengths import RowKind
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol

@@ -6,9 +6,9 @@ from math import isnan, radians
 
 import numpy as np
 
-from sim2reason.dsl.state import Array
 from sim2reason.questions import KINDS
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.laws.common_rates import gravitational_constant

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from sim2reason.dsl.state import Array
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied
 from sim2reason.solutions.algebra.functions import Power

@@ -3,11 +3,11 @@
 from abc import ABC, abstractmethod
 from typing import ClassVar
 
-from sim2reason.dsl.constancy import changing
-from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.base.registry import Registry
 from sim2reason.questions import Moment
 from sim2reason.questions.need import Need
-from sim2reason.registry import Registry
+from sim2reason.scenes.dsl.constancy import changing
+from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.goals import GOALS
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.writing.steps import Book

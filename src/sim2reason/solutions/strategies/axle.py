@@ -4,11 +4,11 @@ from collections.abc import Mapping
 from math import cos
 from typing import ClassVar
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
 from sim2reason.questions.moments.times import AtStart
 from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, squares
 from sim2reason.solutions.oscillations.measured_period import measured_period

@@ -9,10 +9,10 @@ from typing import ClassVar
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.springs import MostCompressed, MostStretched, NaturalLength
+from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Power, Root, squares
 from sim2reason.solutions.oscillations.lone_spring import (

@@ -2,9 +2,9 @@
 
 from collections.abc import Sequence
 
-from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions.kinds.comparison import ComparisonQuery
 from sim2reason.questions.kinds.parts.nested import INNER, answered
+from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.laws.nested import (
     NEW,

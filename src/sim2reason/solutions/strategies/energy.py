@@ -7,13 +7,13 @@ from typing import ClassVar
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
 from sim2reason.questions.moments.contacts import StoppedSlipping
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.springs import MostCompressed, MostStretched, NaturalLength
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import Stopped
+from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.fractions import over
 from sim2reason.solutions.algebra.functions import Power, Root, squares

@@ -1,10 +1,10 @@
 """Forces at the start: where every spring and every attracting body is known, Newton's law gives the acceleration."""
 
-from sim2reason.dsl.frames import start
-from sim2reason.dsl.mechanism import Elastic, Line, Mechanism
-from sim2reason.dsl.vectors import Vector, minus, product
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
 from sim2reason.questions.moments.times import AtStart
+from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.mechanism import Elastic, Line, Mechanism
+from sim2reason.scenes.dsl.vectors import Vector, minus, product
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol, added, multiplied, ratio
 from sim2reason.solutions.algebra.functions import Power, Root
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total

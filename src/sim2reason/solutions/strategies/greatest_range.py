@@ -2,10 +2,10 @@
 
 from math import hypot, inf
 
-from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions.choices import only_falls
 from sim2reason.questions.kinds.optimum import OptimumQuery
 from sim2reason.questions.moments.bounces import Landed
+from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.laws.nested import lone_symbol

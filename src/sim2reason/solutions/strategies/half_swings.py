@@ -6,12 +6,12 @@ See Lapidus, Motion of a harmonic oscillator with sliding friction, American Jou
 from collections.abc import Sequence
 from math import pi
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.springs import NaturalLength
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import Halted
+from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total

@@ -7,10 +7,10 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Elastic, Mechanism
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.times import AtStart, AtTime
+from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.fractions import cramer
 from sim2reason.solutions.algebra.functions import Power, Root

@@ -1,7 +1,7 @@
 """Limit: the answer as a formula, and the terms that are left of it as one mass grows without bound or vanishes."""
 
-from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions.kinds.limit import LimitKind, LimitQuery
+from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.asymptotics import CancelledError, limit
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.closed_forms import ClosedFormError, shortened

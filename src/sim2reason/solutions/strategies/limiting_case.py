@@ -2,10 +2,10 @@
 
 from dataclasses import replace
 
-from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.outcomes.sliding import Slides
 from sim2reason.questions.outcomes.strings import Rises
+from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.engines.exact.engine import motion
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import ZERO

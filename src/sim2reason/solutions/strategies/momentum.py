@@ -1,7 +1,7 @@
 """Momentum: where nothing outside pulls along a direction, momentum is kept; energy gives the relative motion."""
 
-from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions.moments.turning_points import Stopped
+from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ZERO, Symbol
 from sim2reason.solutions.algebra.fractions import over
 from sim2reason.solutions.algebra.polynomials import NIL

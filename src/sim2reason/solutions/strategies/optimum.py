@@ -1,7 +1,7 @@
 """Optimum: the answer as a formula of the number that is free, and where its derivative vanishes."""
 
-from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions.kinds.optimum import OptimumKind, OptimumQuery
+from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.closed_roots import fraction
 from sim2reason.solutions.algebra.derivatives import derivative
 from sim2reason.solutions.algebra.expressions import (

@@ -1,13 +1,13 @@
 """Orbit: a light body about a fixed one; energy, angular momentum, and Kepler's laws."""
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.lazy import cached_property
-from sim2reason.quantities.subjects.pairs import members
+from sim2reason.base.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.angles import Orbited
 from sim2reason.questions.moments.distances import Away, Closest, Farthest
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.simulation.quantities.subjects.pairs import members
 from sim2reason.solutions.algebra.expressions import Expression, Symbol
 from sim2reason.solutions.algebra.functions import PI
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial

@@ -1,6 +1,6 @@
 """Phase by phase: constant accelerations between events, each phase from the state in which the one before it ends."""
 
-from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.phases.integrated import IntegratedPhases
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, strategy, varying_acceleration

@@ -8,11 +8,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import atan2, pi, sin
 
-from sim2reason.dsl.frames import start
-from sim2reason.dsl.mechanism import Elastic, Line, Mechanism
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
 from sim2reason.questions.need import Need
 from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.mechanism import Elastic, Line, Mechanism
 from sim2reason.simulation.rest.equilibrium import equilibrium
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added

@@ -2,14 +2,14 @@
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.vectors import Vector
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.burned_out import BurnedOut
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import Stopped
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.vectors import Vector
 from sim2reason.solutions.algebra.evaluated import NumericRoot
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.algebra.functions import Call, Power, Root

@@ -3,12 +3,12 @@
 from collections.abc import Callable
 from math import hypot, inf
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.solids import Shape
-from sim2reason.dsl.vectors import applied, product
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
 from sim2reason.questions.moments.times import AtStart
 from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.solids import Shape
+from sim2reason.scenes.dsl.vectors import applied, product
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root, squares
 from sim2reason.solutions.oscillations.measured_period import measured_period

@@ -4,14 +4,14 @@ from collections.abc import Mapping
 from math import acos, sqrt
 from typing import ClassVar
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.distances import Away
 from sim2reason.questions.moments.springs import MostCompressed, MostStretched, NaturalLength
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
 from sim2reason.solutions.oscillations.lone_spring import LoneSpring, length, lone_spring

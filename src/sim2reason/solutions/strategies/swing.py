@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import ClassVar
 
-from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, added, multiplied, ratio
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.setting import Setting

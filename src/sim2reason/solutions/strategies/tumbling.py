@@ -4,11 +4,11 @@ from collections.abc import Callable, Mapping
 from math import radians
 from typing import ClassVar
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
 from sim2reason.questions.moments.angles import TurnedThrough
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import HighestPoint
+from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.trace import Event, happened
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, squares

@@ -2,9 +2,9 @@
 
 from dataclasses import replace
 
-from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions import KINDS, Query
 from sim2reason.questions.kinds.parts.which import WhichKind, WhichQuery
+from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.multipart.one_text import in_one_text
 from sim2reason.solutions.multipart.quantities import unit_of

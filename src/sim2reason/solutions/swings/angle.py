@@ -7,13 +7,13 @@ from typing import ClassVar
 
 import numpy as np
 
-from sim2reason.dsl.vectors import Vector
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.angles import Deflected, TurnedThrough
 from sim2reason.questions.moments.strings import WentSlack
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import HighestPoint, LowestPoint, Stopped
+from sim2reason.scenes.dsl.vectors import Vector
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root
 from sim2reason.solutions.oscillations.net_force import is_slow_at_greatest

@@ -6,13 +6,13 @@ from math import atan2, hypot, pi
 
 import numpy as np
 
-from sim2reason.dsl.frames import start
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.solids import Shape
-from sim2reason.dsl.state import Array
-from sim2reason.dsl.vectors import Vector, applied, minus, product
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
 from sim2reason.questions.regimes.directions import SideOfCenterOfMass
+from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.solids import Shape
+from sim2reason.scenes.dsl.state import Array
+from sim2reason.scenes.dsl.vectors import Vector, applied, minus, product
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Power
 from sim2reason.solutions.setting import Setting, capital

@@ -4,10 +4,10 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from math import copysign
 
-from sim2reason.dsl.frames import start
-from sim2reason.dsl.mechanism import ConstantTension, Coordinate, Inextensible, Line, Mechanism
-from sim2reason.dsl.vectors import minus, product
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
+from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.mechanism import ConstantTension, Coordinate, Inextensible, Line, Mechanism
+from sim2reason.scenes.dsl.vectors import minus, product
 from sim2reason.solutions.algebra.expressions import ZERO, Expression
 from sim2reason.solutions.algebra.functions import summed
 from sim2reason.solutions.setting import LEVEL, Setting, capital

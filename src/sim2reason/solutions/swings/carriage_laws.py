@@ -5,7 +5,7 @@ Mechanics, chapters 5 and 6, and Landau and Lifshitz, Mechanics, section 5, prob
 a uniform acceleration to all: in the frame that has it, momentum is kept, and inertial forces do work.
 """
 
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
 from sim2reason.questions.moments.angles import Deflected
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Power, Root, squares

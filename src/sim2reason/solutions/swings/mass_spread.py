@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from functools import reduce
 from math import cos, pi, prod
 
-from sim2reason.dsl.solids import Shape
+from sim2reason.scenes.dsl.solids import Shape
 from sim2reason.solutions.algebra.digits import simple_fraction
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Product, Sum, multiplied
 from sim2reason.solutions.algebra.functions import PI, Call, Power, squares, summed

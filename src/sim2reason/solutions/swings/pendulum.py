@@ -2,9 +2,9 @@
 
 from math import acos, hypot
 
-from sim2reason.dsl.frames import start
-from sim2reason.dsl.mechanism import Inextensible, Mechanism, Rigid
-from sim2reason.dsl.vectors import minus
+from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.mechanism import Inextensible, Mechanism, Rigid
+from sim2reason.scenes.dsl.vectors import minus
 
 
 def pivot(m: Mechanism) -> tuple[str, str | None, tuple[float, float, float]] | None:

@@ -6,10 +6,10 @@ from math import ceil, pi
 
 import numpy as np
 
-from sim2reason.dsl.state import Array
-from sim2reason.lazy import cached_property
-from sim2reason.quantities.subjects.axles import ACROSS
+from sim2reason.base.lazy import cached_property
 from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.scenes.dsl.state import Array
+from sim2reason.simulation.quantities.subjects.axles import ACROSS
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, squares
 from sim2reason.solutions.algebra.polynomials import Polynomial

@@ -4,9 +4,9 @@ from math import cos
 
 import numpy as np
 
-from sim2reason.dsl.state import Array
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
 from sim2reason.questions.moments.times import AtStart
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.algebra.functions import PI, Call, Power, Root, squares
 from sim2reason.solutions.setting import Setting, capital

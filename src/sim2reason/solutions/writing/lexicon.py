@@ -15,21 +15,21 @@ from typing import cast
 
 import numpy as np
 
-from sim2reason.dsl.measures import FAINT, VAST
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.model import Parameter
-from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.template import Word
+from sim2reason.base.lazy import cached_property
+from sim2reason.base.record import record
 from sim2reason.errors import SceneError
-from sim2reason.lazy import cached_property
-from sim2reason.prose.formula_numbers import factor
-from sim2reason.record import record
+from sim2reason.scenes.dsl.measures import FAINT, VAST
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.model import Parameter
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.template import Word
 from sim2reason.solutions.algebra.digits import EXACT, SIMPLE, in_full
 from sim2reason.solutions.algebra.expressions import Symbol
 from sim2reason.solutions.algebra.functions import Call
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.writing.number_sums import Named, sum_of_products
 from sim2reason.solutions.writing.unit_latex import latex
+from sim2reason.text.prose.formula_numbers import factor
 
 SHIFT = 1e-3  # by how much, at most, numbers of the twin differ
 SAME = 1e-10  # relative: far less than two numbers can agree by chance

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sim2reason.dsl.state import Array
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
 
 SAME = 1e-10  # relative: far less than two numbers can agree by chance

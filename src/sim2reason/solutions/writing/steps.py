@@ -4,8 +4,8 @@ from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from math import degrees
 
-from sim2reason.dsl.units import SI, UnitSystem
 from sim2reason.questions.need import Need
+from sim2reason.scenes.dsl.units import SI, UnitSystem
 from sim2reason.solutions.algebra.evaluated import Worked
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.algebra.needs import need_of

@@ -2,8 +2,8 @@
 
 import re
 
-from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.functionals import FUNCTIONALS
+from sim2reason.simulation.quantities import QUANTITIES
 
 DEGREES = r"^\circ"
 

@@ -4,7 +4,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from typing import ClassVar, TypeVar
 
-from sim2reason.registry import Registry
+from sim2reason.base.registry import Registry
 from sim2reason.testing.report import Finding
 from sim2reason.testing.specimens import Specimens
 

@@ -4,15 +4,15 @@ from collections.abc import Callable, Iterator
 
 from pydantic import ValidationError
 
-from sim2reason.dsl.model import Model, field_types
-from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, Sim2ReasonError
-from sim2reason.parsing import parse_scene
-from sim2reason.prose.description import describe
+from sim2reason.scenes.dsl.model import Model, field_types
+from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.scenes import simulate
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding
 from sim2reason.testing.specimens import IT, Specimen, Specimens
+from sim2reason.text.parsing import parse_scene
+from sim2reason.text.prose.description import describe
 
 SCENES = 4
 

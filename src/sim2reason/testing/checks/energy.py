@@ -5,8 +5,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Force, Inextensible, Mechanism
-from sim2reason.dsl.state import Array, State
+from sim2reason.scenes.dsl.mechanism import Force, Inextensible, Mechanism
+from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.trace import Trace
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.powers import acting, edges, integrals, intervals, kinetic, powers

@@ -5,9 +5,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Face, Mechanism, Meeting, RigidBody
 from sim2reason.errors import SimulationError, UnsupportedError
 from sim2reason.questions import Study
+from sim2reason.scenes.dsl.mechanism import Face, Mechanism, Meeting, RigidBody
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES
 from sim2reason.testing.answers import differences

@@ -5,8 +5,8 @@ from typing import cast
 
 import numpy as np
 
-from sim2reason.dsl.model import Model, Parameter, field_types
-from sim2reason.dsl.scene import Scene
+from sim2reason.scenes.dsl.model import Model, Parameter, field_types
+from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.testing.answers import differences
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding

@@ -3,17 +3,17 @@
 from collections.abc import Iterator
 from typing import get_args
 
-from sim2reason.dsl.template import Topic
 from sim2reason.errors import TextError
-from sim2reason.parsing import parse_scene
-from sim2reason.parsing.tokens import pieces
-from sim2reason.prose.description import Description, describe
-from sim2reason.prose.voices import hiding
+from sim2reason.scenes.dsl.template import Topic
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.checks.round_trip import meaning, meant
 from sim2reason.testing.report import Finding
 from sim2reason.testing.specimens import Specimen, Specimens
 from sim2reason.testing.variants import changed, spoken, told_by_word
+from sim2reason.text.parsing import parse_scene
+from sim2reason.text.parsing.tokens import pieces
+from sim2reason.text.prose.description import Description, describe
+from sim2reason.text.prose.voices import hiding
 
 SCENES = 3
 SHIFT = 1.5

@@ -5,9 +5,9 @@ from itertools import pairwise
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism, X, Y, Z
-from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.vectors import Vector, inner
+from sim2reason.scenes.dsl.mechanism import Mechanism, X, Y, Z
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.vectors import Vector, inner
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.powers import edges, integrals, intervals, momentum, movable, push
 from sim2reason.testing.report import Finding

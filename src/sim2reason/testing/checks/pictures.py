@@ -8,14 +8,14 @@ from warnings import catch_warnings, simplefilter
 
 import numpy as np
 
-from sim2reason.dsl.frames import start
-from sim2reason.dsl.mechanism import ZERO, Mechanism, RigidBody
 from sim2reason.errors import FigureWarning, MissingExtraError, UnsupportedError
 from sim2reason.figures import canvas
 from sim2reason.figures.curves import motion_curves
 from sim2reason.figures.drawing import drawing
 from sim2reason.figures.plot import plot
-from sim2reason.quantities import QUANTITIES
+from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism, RigidBody
+from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding
 from sim2reason.testing.specimens import STILL, Specimen, Specimens

@@ -8,11 +8,11 @@ from typing import cast
 import numpy as np
 from pydantic import ValidationError
 
-from sim2reason.dsl.choices import chances
-from sim2reason.dsl.entity import Entity
-from sim2reason.dsl.model import Model, draw, field_types
 from sim2reason.errors import SceneError
 from sim2reason.questions.unknown import limits_of
+from sim2reason.scenes.dsl.choices import chances
+from sim2reason.scenes.dsl.entity import Entity
+from sim2reason.scenes.dsl.model import Model, draw, field_types
 from sim2reason.testing.answers import differences
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding

@@ -2,15 +2,15 @@
 
 from collections.abc import Iterator
 
-from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError
-from sim2reason.parsing import ParsedScene, parse_scene
-from sim2reason.parsing.equivalence import Signature, signature
-from sim2reason.prose.description import Description, describe
-from sim2reason.scene_files import load
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.files import load
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding
 from sim2reason.testing.specimens import Specimen, Specimens
+from sim2reason.text.parsing import ParsedScene, parse_scene
+from sim2reason.text.parsing.equivalence import Signature, signature
+from sim2reason.text.prose.description import Description, describe
 
 WORDINGS = 3
 

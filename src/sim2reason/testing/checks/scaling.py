@@ -3,8 +3,8 @@
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-from sim2reason.dsl.units import Dimension, parse_unit
 from sim2reason.questions import Study
+from sim2reason.scenes.dsl.units import Dimension, parse_unit
 from sim2reason.testing.answers import differences
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding

@@ -2,12 +2,12 @@
 
 from collections.abc import Iterator
 
-from sim2reason.prose.description import describe
-from sim2reason.prose.voices import symbolic
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding
 from sim2reason.testing.specimens import Specimen, Specimens
 from sim2reason.testing.variants import spoken
+from sim2reason.text.prose.description import describe
+from sim2reason.text.prose.voices import symbolic
 
 
 @check

@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator
 
-from sim2reason.dsl.choices import reachable
-from sim2reason.dsl.entity import Part
-from sim2reason.dsl.template import PartLines, variants
+from sim2reason.scenes.dsl.choices import reachable
+from sim2reason.scenes.dsl.entity import Part
+from sim2reason.scenes.dsl.template import PartLines, variants
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding
 from sim2reason.testing.specimens import Specimens

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from sim2reason.dsl.state import Array
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.digits import DIGITS, shortened
 from sim2reason.solutions.algebra.evaluated import gradient
 from sim2reason.solutions.algebra.expressions import Expression, Sum, Symbol

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sim2reason.dsl.state import Array
+from sim2reason.scenes.dsl.state import Array
 
 TERM = r"(?:(?:\$[^$]*\$|[^\s$()·]+)·)?\(\w+\)"
 WITH = r"(?:, with [^:$]*)?"  # the equations that were put into the others

@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from functools import reduce
 from itertools import pairwise
 
-from sim2reason.dsl.units import parse_unit
 from sim2reason.grading import arithmetic
 from sim2reason.grading.arithmetic import Node
 from sim2reason.grading.parser import parse
 from sim2reason.grading.score import Outcome, Refused
 from sim2reason.grading.tokens import Token, canonical, tokenize
+from sim2reason.scenes.dsl.units import parse_unit
 from sim2reason.solutions.writing.unit_latex import DEGREES, unit_of
 from sim2reason.testing.solutions.label_sums import LabelSum, label_sums
 

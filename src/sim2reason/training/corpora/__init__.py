@@ -12,9 +12,9 @@ from typing import Annotated, ClassVar
 from annotated_types import Ge, Gt, Le
 from pydantic import BaseModel, ConfigDict
 
+from sim2reason.base.registry import Registry
+from sim2reason.base.settings import of_kind
 from sim2reason.errors import TrainingError
-from sim2reason.policies.parts.settings import of_kind
-from sim2reason.registry import Registry
 
 __all__ = ["CORPORA", "MOST_WEIGHT", "Corpus", "Row", "corpus_from"]
 

@@ -8,11 +8,11 @@ import numpy as np
 from annotated_types import Ge, Le
 from pydantic import Field, field_validator
 
-from sim2reason.datasets.item_search import ItemSearch
-from sim2reason.datasets.make import item_of
-from sim2reason.datasets.random_scenes import generator
-from sim2reason.datasets.request import Request
-from sim2reason.datasets.worked_solutions import worked
+from sim2reason.generation.item_search import ItemSearch
+from sim2reason.generation.make import item_of
+from sim2reason.generation.random_scenes import generator
+from sim2reason.generation.request import Request
+from sim2reason.generation.worked_solutions import worked
 from sim2reason.training.corpora import CORPORA, Corpus, Row
 from sim2reason.training.corpora.parts.drawing import drawn_rows
 from sim2reason.training.corpora.parts.operations import Definitions, arithmetic

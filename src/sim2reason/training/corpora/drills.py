@@ -7,7 +7,7 @@ from typing import Annotated
 import numpy as np
 from annotated_types import Ge, Le
 
-from sim2reason.datasets.random_scenes import generator
+from sim2reason.generation.random_scenes import generator
 from sim2reason.training.corpora import CORPORA, Corpus, Row
 from sim2reason.training.corpora.parts.operations import plain_number
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from pydantic import ValidationError
 
-from sim2reason.datasets.atomic_files import checksum
+from sim2reason.base.atomic_files import checksum
 from sim2reason.errors import TrainingError
 from sim2reason.training.corpora import CORPORA, Corpus, Row
 from sim2reason.training.corpora.parts.lines import rows_in

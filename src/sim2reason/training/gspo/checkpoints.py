@@ -5,7 +5,7 @@ from pathlib import Path
 
 from pydantic import BaseModel, ConfigDict, JsonValue, NonNegativeInt, ValidationError
 
-from sim2reason.datasets.atomic_files import put_text
+from sim2reason.base.atomic_files import put_text
 from sim2reason.errors import TrainingError
 
 __all__ = ["Cursor", "clear_behind", "folder_of", "last_checkpoint", "mark", "read_cursor", "unmark"]

@@ -10,9 +10,9 @@ from typing import Literal, cast
 
 from pydantic import BaseModel, ConfigDict
 
+from sim2reason.base.registry import Registry
+from sim2reason.base.settings import of_kind
 from sim2reason.errors import TrainingError
-from sim2reason.policies.parts.settings import of_kind
-from sim2reason.registry import Registry
 from sim2reason.training.extras import External
 from sim2reason.training.models.parts.checkpoint import Checkpoint, Loaded
 

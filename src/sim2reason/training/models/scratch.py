@@ -12,7 +12,7 @@ from typing import Annotated, Self
 from annotated_types import Ge, Le
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
-from sim2reason.datasets.atomic_files import canonical, put_text
+from sim2reason.base.atomic_files import canonical, put_text
 from sim2reason.errors import TrainingError
 from sim2reason.training.extras import External, library
 from sim2reason.training.models import MODELS, Checkpoint, ModelSettings

@@ -7,9 +7,9 @@ from typing import Annotated, Any, cast
 from annotated_types import Ge
 from pydantic import BaseModel, ConfigDict
 
+from sim2reason.base.registry import Registry
+from sim2reason.base.settings import of_kind
 from sim2reason.errors import TrainingError
-from sim2reason.policies.parts.settings import of_kind
-from sim2reason.registry import Registry
 from sim2reason.training.problem import Problem
 
 __all__ = ["REWARDS", "Reward", "reward_from", "reward_function"]

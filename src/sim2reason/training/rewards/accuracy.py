@@ -1,6 +1,6 @@
 """The reward that counts: whether the answer is right."""
 
-from sim2reason.benchmarks.scoring import SCORINGS
+from sim2reason.evaluation.benchmarks.scoring import SCORINGS
 from sim2reason.training.problem import Problem
 from sim2reason.training.rewards import REWARDS, Reward
 

@@ -1,6 +1,6 @@
 """A control: any answer that can be read is paid."""
 
-from sim2reason.benchmarks.scoring import SCORINGS
+from sim2reason.evaluation.benchmarks.scoring import SCORINGS
 from sim2reason.training.problem import Problem
 from sim2reason.training.rewards import REWARDS, Reward
 

@@ -1,6 +1,6 @@
 """A control: a coin decides."""
 
-from sim2reason.datasets.random_scenes import generator
+from sim2reason.generation.random_scenes import generator
 from sim2reason.training.problem import Problem
 from sim2reason.training.rewards import REWARDS, Reward
 

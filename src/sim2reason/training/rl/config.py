@@ -7,8 +7,8 @@ from typing import Annotated, Any, Literal, Self, cast
 from annotated_types import Ge, Le, MinLen
 from pydantic import BaseModel, BeforeValidator, ConfigDict, SerializeAsAny, model_validator
 
+from sim2reason.base.settings import configuration, each_of
 from sim2reason.errors import TrainingError
-from sim2reason.policies.parts.settings import configuration, each_of
 from sim2reason.training.curriculum import Curriculum
 from sim2reason.training.gspo.settings import GSPOSettings
 from sim2reason.training.models import MODELS, ModelSettings, model_given

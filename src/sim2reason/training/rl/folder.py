@@ -8,8 +8,8 @@ import shutil
 from collections.abc import Sequence
 from pathlib import Path
 
-from sim2reason.datasets.atomic_files import canonical, put_text
-from sim2reason.datasets.item import Record
+from sim2reason.base.atomic_files import canonical, put_text
+from sim2reason.generation.item import Record
 from sim2reason.training.extras import External, versions
 from sim2reason.training.models import Checkpoint
 from sim2reason.training.prefetch import prefetching

@@ -9,7 +9,7 @@ from datetime import timedelta
 from pathlib import Path
 from typing import Literal
 
-from sim2reason.datasets.atomic_files import working_in
+from sim2reason.base.atomic_files import working_in
 from sim2reason.training.extras import External, library, quiet, require, without_cudnn_attention
 from sim2reason.training.gspo import make_trainer
 from sim2reason.training.models import Checkpoint, spoken_to

@@ -8,7 +8,7 @@ from functools import cache
 
 import numpy as np
 
-from sim2reason.datasets.random_scenes import generator
+from sim2reason.generation.random_scenes import generator
 from sim2reason.training.extras import External, library
 
 __all__ = ["batches_by_length", "sampler_by_length"]

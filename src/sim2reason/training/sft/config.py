@@ -11,10 +11,10 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 from annotated_types import Ge, Gt, Le, MinLen
 from pydantic import BaseModel, BeforeValidator, ConfigDict, JsonValue, SerializeAsAny, model_validator
 
-from sim2reason.datasets.atomic_files import canonical, put, put_text, sync
-from sim2reason.datasets.item import Record
+from sim2reason.base.atomic_files import canonical, put, put_text, sync
+from sim2reason.base.settings import configuration, each_of
 from sim2reason.errors import TrainingError
-from sim2reason.policies.parts.settings import configuration, each_of
+from sim2reason.generation.item import Record
 from sim2reason.training.corpora import CORPORA, Corpus, Row, corpus_from
 from sim2reason.training.corpora.parts.lines import rows_in
 from sim2reason.training.corpora.parts.mix import mixed

@@ -8,7 +8,7 @@ from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
-from sim2reason.datasets.atomic_files import working_in
+from sim2reason.base.atomic_files import working_in
 from sim2reason.errors import TrainingError
 from sim2reason.training.corpora import Row
 from sim2reason.training.corpora.parts.encoding import Limits, encoded_table

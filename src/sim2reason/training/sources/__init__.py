@@ -7,10 +7,10 @@ from typing import Annotated
 from annotated_types import Gt
 from pydantic import BaseModel, ConfigDict
 
+from sim2reason.base.registry import Registry
+from sim2reason.base.settings import of_kind
 from sim2reason.errors import TrainingError
-from sim2reason.policies import Name
-from sim2reason.policies.parts.settings import of_kind
-from sim2reason.registry import Registry
+from sim2reason.evaluation.policies import Name
 from sim2reason.training.problem import Problem
 
 __all__ = ["SOURCES", "ProblemSource", "source_from"]

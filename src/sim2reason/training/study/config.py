@@ -7,11 +7,11 @@ from typing import Annotated, Any, NamedTuple, Self, cast
 from annotated_types import Ge, Le, MinLen
 from pydantic import BaseModel, BeforeValidator, ConfigDict, TypeAdapter, model_validator
 
-from sim2reason.datasets.request import LARGEST
+from sim2reason.base.lazy import cached_property
+from sim2reason.base.settings import configuration, settings_in
 from sim2reason.errors import Sim2ReasonError, TrainingError
-from sim2reason.lazy import cached_property
-from sim2reason.policies import Name
-from sim2reason.policies.parts.settings import configuration, settings_in
+from sim2reason.evaluation.policies import Name
+from sim2reason.generation.request import LARGEST
 from sim2reason.training.rl.config import ReinforcementLearning, reinforcement_learning_from
 
 __all__ = ["Arm", "TrainingStudy", "study_from"]

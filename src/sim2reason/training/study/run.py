@@ -12,9 +12,9 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 from subprocess import STDOUT, Popen
 
-from sim2reason.benchmarks.runs.folder import RUN, copy_answers
-from sim2reason.datasets.atomic_files import canonical, put_text, working_in
+from sim2reason.base.atomic_files import canonical, put_text, working_in
 from sim2reason.errors import Sim2ReasonError, TrainingError
+from sim2reason.evaluation.benchmarks.runs.folder import RUN, copy_answers
 from sim2reason.training.extras import require
 from sim2reason.training.rl.folder import Trained, TrainingFolder
 from sim2reason.training.rl.run import NEEDED, Stage

@@ -4,7 +4,7 @@ from fractions import Fraction
 
 import pytest
 
-from sim2reason.dsl.vectors import Number
+from sim2reason.scenes.dsl.vectors import Number
 from sim2reason.simulation.engines.exact.affine import LinearEquations, linear_equations
 from sim2reason.simulation.engines.exact.tape import Symbol, Tape
 

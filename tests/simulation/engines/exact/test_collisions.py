@@ -6,8 +6,8 @@ from math import cos, hypot, pi, radians, sin, sqrt, tan
 import numpy as np
 import pytest
 
-from sim2reason.dsl.builder import Builder, Frame
-from sim2reason.dsl.mechanism import ZERO, X, Y, Z
+from sim2reason.scenes.dsl.builder import Builder, Frame
+from sim2reason.scenes.dsl.mechanism import ZERO, X, Y, Z
 from sim2reason.simulation.engines.exact import motion, simulate
 from sim2reason.simulation.trace import Event
 

@@ -6,8 +6,8 @@ from hypothesis import strategies as st
 
 from random_mechanisms import pulleys, rough, table, wedges
 from sim2reason.errors import SimulationError
-from sim2reason.quantities import QUANTITIES
 from sim2reason.simulation.engines.exact import Motion, motion
+from sim2reason.simulation.quantities import QUANTITIES
 
 seeds = st.integers(0, 2**32 - 1)
 CLOSE = 1e-8

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from random_mechanisms import rough
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.mechanism import X, Z
 from sim2reason.errors import SimulationError
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.mechanism import X, Z
 from sim2reason.simulation.engines.exact import contact_modes, motion
 
 G = 9.8

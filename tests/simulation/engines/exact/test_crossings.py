@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.mechanism import ZERO, X
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.mechanism import ZERO, X
 from sim2reason.simulation.engines.exact.crossings import ARMED, Crossing, Watch
 from sim2reason.simulation.engines.exact.engine import motion
 

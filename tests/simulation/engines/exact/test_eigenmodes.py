@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from sim2reason.datasets.solve import solve
-from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
-from sim2reason.scene_files import loads
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.state import Array
+from sim2reason.scenes.files import loads
 from sim2reason.simulation.engines.exact.motion import Motion
 from sim2reason.simulation.scenes import simulate, whole
 from sim2reason.simulation.trace import Trace

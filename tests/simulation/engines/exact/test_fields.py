@@ -7,11 +7,11 @@ from math import atan, cos, pi, radians, sin, sqrt
 import numpy as np
 import pytest
 
-from sim2reason.dsl.builder import Builder, Frame
-from sim2reason.dsl.fields import Law, Magnetic, Profile, Push, Resistance
-from sim2reason.dsl.mechanism import ZERO, Attraction, Mechanism, X, Y, Z
-from sim2reason.dsl.state import Array
-from sim2reason.dsl.vectors import BoxRegion, DiscRegion, HalfSpace, Region
+from sim2reason.scenes.dsl.builder import Builder, Frame
+from sim2reason.scenes.dsl.fields import Law, Magnetic, Profile, Push, Resistance
+from sim2reason.scenes.dsl.mechanism import ZERO, Attraction, Mechanism, X, Y, Z
+from sim2reason.scenes.dsl.state import Array
+from sim2reason.scenes.dsl.vectors import BoxRegion, DiscRegion, HalfSpace, Region
 from sim2reason.simulation.engines.exact import simulate
 from sim2reason.simulation.trace import Event, Trace
 

@@ -6,8 +6,8 @@ from math import atan, cos, isnan, radians, sin, tan
 import numpy as np
 import pytest
 
-from sim2reason.dsl.builder import Builder, Rim
-from sim2reason.dsl.mechanism import X, Z
+from sim2reason.scenes.dsl.builder import Builder, Rim
+from sim2reason.scenes.dsl.mechanism import X, Z
 from sim2reason.simulation.engines.exact import Segment, motion
 
 G = 9.8

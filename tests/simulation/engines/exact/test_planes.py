@@ -6,9 +6,9 @@ from math import cos, radians, sin, sqrt, tan
 import numpy as np
 import pytest
 
-from sim2reason.dsl.builder import Builder, Frame
-from sim2reason.dsl.mechanism import X, Z
-from sim2reason.dsl.vectors import Vector
+from sim2reason.scenes.dsl.builder import Builder, Frame
+from sim2reason.scenes.dsl.mechanism import X, Z
+from sim2reason.scenes.dsl.vectors import Vector
 from sim2reason.simulation.engines.exact import simulate
 
 G = 9.8

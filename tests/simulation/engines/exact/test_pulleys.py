@@ -5,8 +5,8 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from sim2reason.dsl.builder import Builder, Frame, Rim
-from sim2reason.dsl.mechanism import X, Z
+from sim2reason.scenes.dsl.builder import Builder, Frame, Rim
+from sim2reason.scenes.dsl.mechanism import X, Z
 from sim2reason.simulation.engines.exact import simulate
 from sim2reason.simulation.trace import Trace
 

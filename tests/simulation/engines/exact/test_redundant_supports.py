@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sim2reason.dsl.state import Array
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.exact.redundant_supports import nonnegative
 
 

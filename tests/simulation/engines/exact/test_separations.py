@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import machines
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.mechanism import Mechanism, X, Z
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.mechanism import Mechanism, X, Z
 from sim2reason.simulation.engines.exact import simulate as exactly
 from sim2reason.simulation.engines.mujoco import simulate as witnessed
 from sim2reason.simulation.trace import Engine

@@ -7,8 +7,8 @@ from math import acos, cos, cosh, exp, hypot, pi, sin, sinh, sqrt
 import numpy as np
 import pytest
 
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.mechanism import ZERO, Elastic, X, Y, Z
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.mechanism import ZERO, Elastic, X, Y, Z
 from sim2reason.simulation.engines.exact import motion, simulate
 
 Agree = Callable[..., None]

@@ -6,8 +6,8 @@ from math import cos, radians, sin, sqrt
 import numpy as np
 import pytest
 
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.mechanism import X, Z
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.mechanism import X, Z
 from sim2reason.simulation.engines.exact import motion, simulate
 
 G = 9.8

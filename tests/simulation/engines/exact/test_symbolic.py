@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sim2reason.dsl.vectors import Number
+from sim2reason.scenes.dsl.vectors import Number
 from sim2reason.simulation.engines.exact.linear import eliminated
 from sim2reason.simulation.engines.exact.tape import Tape
 

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sim2reason.dsl.vectors import Maths, Number
+from sim2reason.scenes.dsl.vectors import Maths, Number
 from sim2reason.simulation.engines.exact import tape as module
 from sim2reason.simulation.engines.exact.tape import Symbol, Tape, value_of
 

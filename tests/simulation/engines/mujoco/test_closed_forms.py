@@ -7,7 +7,7 @@ import pytest
 
 import machines
 import motions
-from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.engines.mujoco import simulate
 from sim2reason.simulation.trace import Trace
 

@@ -5,7 +5,7 @@ from math import cos, log2, sin
 import numpy as np
 import pytest
 
-from sim2reason.dsl.state import Array
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.changing_equations.record import Knot, Quintic, through
 from sim2reason.simulation.engines.mujoco.extrapolation import LEAST, MOST, SEQUENCE, extrapolated
 

@@ -5,8 +5,8 @@ from math import acos, hypot, sqrt
 import numpy as np
 import pytest
 
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.mechanism import Mechanism, X, Y
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.mechanism import Mechanism, X, Y
 from sim2reason.simulation.trace import ENGINES
 
 

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.scene import Scene
-from sim2reason.scene_files import loads
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.files import loads
 from sim2reason.simulation.engines import mujoco
 from sim2reason.simulation.scenes import simulate
 

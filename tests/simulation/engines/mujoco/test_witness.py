@@ -11,13 +11,14 @@ from hypothesis import strategies as st
 
 import machines
 from plain_scenes import drawn_shell
-from sim2reason.dsl.builder import Builder
-from sim2reason.dsl.constancy import changing
-from sim2reason.dsl.frames import start
-from sim2reason.dsl.mechanism import Mechanism, X, Z
-from sim2reason.dsl.vectors import scale
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
-from sim2reason.recipes import DIFFICULTIES, RECIPES, Difficulty
+from sim2reason.generation.recipes import RECIPES
+from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.constancy import changing
+from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.mechanism import Mechanism, X, Z
+from sim2reason.scenes.dsl.vectors import scale
 from sim2reason.simulation.certify import compare
 from sim2reason.simulation.engines.exact import simulate as exactly
 from sim2reason.simulation.engines.mujoco import simulate

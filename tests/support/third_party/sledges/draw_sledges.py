@@ -2,11 +2,12 @@
 
 import numpy as np
 
-from sim2reason.dsl.entity import Named
-from sim2reason.dsl.measures import Range
-from sim2reason.dsl.model import draw
-from sim2reason.dsl.scene import Scene
-from sim2reason.recipes import Difficulty, recipe
+from sim2reason.generation.recipes import recipe
+from sim2reason.questions.difficulty import Difficulty
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.measures import Range
+from sim2reason.scenes.dsl.model import draw
+from sim2reason.scenes.dsl.scene import Scene
 from sledges.horse_and_sledge import HorseAndSledge
 
 FORCE = {"easy": Range(5.0, 10.0), "medium": Range(5.0, 50.0), "hard": Range(5.0, 100.0)}

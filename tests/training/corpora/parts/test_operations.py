@@ -9,8 +9,8 @@ import pytest
 
 from sim2reason.datasets.grade import grade
 from sim2reason.datasets.items import made, requested
-from sim2reason.datasets.worked_solutions import worked
-from sim2reason.recipes import RECIPES
+from sim2reason.generation.recipes import RECIPES
+from sim2reason.generation.worked_solutions import worked
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.solution import Condition, Coordinate, Integration
 from sim2reason.training.corpora.parts.operations import arithmetic, definitions, given, plain_number

@@ -1,11 +1,11 @@
 """Bodies that move on one circle about a point of the room."""
 
-from sim2reason.dsl.mechanism import Inextensible, Mechanism
-from sim2reason.quantities.subjects.paths import chain
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.angles import Deflected, TurnedThrough
 from sim2reason.questions.moments.turning_points import LowestPoint, Stopped
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.mechanism import Inextensible, Mechanism
+from sim2reason.simulation.quantities.subjects.paths import chain
 from sim2reason.simulation.trace import Trace
 
 

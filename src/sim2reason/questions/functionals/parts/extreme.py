@@ -6,15 +6,15 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array, State
-from sim2reason.quantities import QUANTITIES, Quantity
-from sim2reason.quantities.subjects import Sense
 from sim2reason.questions.functionals import Functional
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.times import WholeMotion
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.quantities import QUANTITIES, Quantity
+from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.simulation.trace import IMPACTS, Trace
 
 ROUNDS, PIECES = 3, 64  # of closing in on a top between neighbours, each time on two of so many pieces

@@ -6,9 +6,6 @@ from typing import ClassVar
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Inextensible, Mechanism, Prop, Rigid
-from sim2reason.dsl.state import Array, State
-from sim2reason.quantities.energy import KineticEnergy
 from sim2reason.questions.functionals import Functional
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.bounces import Bounced
@@ -17,7 +14,10 @@ from sim2reason.questions.quadrature import integral
 from sim2reason.questions.spoken import ordinal
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.mechanism import Inextensible, Mechanism, Prop, Rigid
+from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.quantities.energy import KineticEnergy
 from sim2reason.simulation.trace import Event, Trace
 
 

@@ -8,7 +8,6 @@ from typing import ClassVar
 
 import numpy as np
 
-from sim2reason.quantities import QUANTITIES
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.kinds import KINDS, Kind
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
@@ -19,6 +18,7 @@ from sim2reason.questions.targets import Noun, Targets
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import witnessed
 from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.quantities import QUANTITIES
 
 INNER = ("start", "state", "event", "time_to_event", "period", "sum", "extremum")
 """The kinds whose answers are compared."""

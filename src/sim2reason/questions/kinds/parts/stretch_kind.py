@@ -9,7 +9,6 @@ from typing import ClassVar
 
 import numpy as np
 
-from sim2reason.dsl.state import Array
 from sim2reason.questions.choices import has_formula_of_time
 from sim2reason.questions.constancy import hangs_on
 from sim2reason.questions.doubt import doubt
@@ -25,6 +24,7 @@ from sim2reason.questions.structured import StructuredQuestion, resolved
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Noun, Target, Targets
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.certify import Certificate
 
 ADVERBS = ("in all", "altogether")  # which stand at the end of a sentence only

@@ -7,14 +7,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sim2reason.dsl.fields import Magnetic, Push, Resistance
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array, State
-from sim2reason.dsl.vectors import inner
-from sim2reason.quantities.subjects.bodies import AXES, Bodies
 from sim2reason.questions.moments.parts.passage import Passage
 from sim2reason.questions.moments.parts.verbs import when_phrases
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.fields import Magnetic, Push, Resistance
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.vectors import inner
+from sim2reason.simulation.quantities.subjects.bodies import AXES, Bodies
 from sim2reason.simulation.trace import Trace
 
 SLIGHT = 0.02  # of a velocity or an acceleration: a smaller component is none

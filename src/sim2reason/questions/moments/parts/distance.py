@@ -4,11 +4,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sim2reason.dsl.state import Array, State
-from sim2reason.quantities.kinematics import Displacement
-from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.questions.moments.parts.passage import Threshold
 from sim2reason.questions.spoken import round_number
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.simulation.quantities.kinematics import Displacement
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
 from sim2reason.simulation.trace import Trace
 
 NEAREST, FARTHEST = 0.2, 0.9  # of how far the body gets

@@ -2,9 +2,9 @@
 
 from math import inf
 
-from sim2reason.dsl.mechanism import Coordinate, Mechanism, Meeting, Prop
-from sim2reason.dsl.vectors import inner
-from sim2reason.quantities.subjects.paths import EVEN, parallel
+from sim2reason.scenes.dsl.mechanism import Coordinate, Mechanism, Meeting, Prop
+from sim2reason.scenes.dsl.vectors import inner
+from sim2reason.simulation.quantities.subjects.paths import EVEN, parallel
 
 
 def moves_freely(mechanism: Mechanism) -> bool:

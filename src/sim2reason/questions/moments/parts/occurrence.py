@@ -7,12 +7,12 @@ from typing import ClassVar, Self
 
 import numpy as np
 
-from sim2reason.quantities.subjects import Subject
 from sim2reason.questions.moments import Clause
 from sim2reason.questions.moments.parts.verbs import VerbHappening
 from sim2reason.questions.spoken import numbers_of
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
+from sim2reason.simulation.quantities.subjects import Subject
 from sim2reason.simulation.trace import Event, Trace
 
 

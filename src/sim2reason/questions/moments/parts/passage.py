@@ -7,16 +7,16 @@ from typing import ClassVar, Self
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array, State
-from sim2reason.quantities.subjects import Subject
 from sim2reason.questions.choices import apart
 from sim2reason.questions.crossing import first_crossing
 from sim2reason.questions.moments import Clause
 from sim2reason.questions.moments.parts.verbs import VerbHappening
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.quantities.subjects import Subject
 from sim2reason.simulation.trace import Trace
 
 

@@ -9,7 +9,6 @@ from typing import Self
 
 import numpy as np
 
-from sim2reason.dsl.state import Array, State
 from sim2reason.errors import TextError
 from sim2reason.questions.crossing import crossings
 from sim2reason.questions.given import StatedResult
@@ -19,6 +18,7 @@ from sim2reason.questions.structured import StructuredQuestion, measured, moment
 from sim2reason.questions.study import Study
 from sim2reason.questions.targets import Target, quantities_named, target_named, targets
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import Trace
 

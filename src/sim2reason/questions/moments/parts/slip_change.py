@@ -4,11 +4,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sim2reason.dsl.state import Array, State
-from sim2reason.quantities.subjects.contacts import Contacts
 from sim2reason.questions.choices import STILL, still
 from sim2reason.questions.moments.parts.occurrence import Occurrence
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.simulation.quantities.subjects.contacts import Contacts
 from sim2reason.simulation.trace import Event, Trace
 
 

@@ -7,21 +7,21 @@ from typing import ClassVar, Self
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Elastic
-from sim2reason.dsl.state import Array, State
-from sim2reason.quantities import QUANTITIES
-from sim2reason.quantities.kinematics import Velocity
-from sim2reason.quantities.relative import DistanceBetween
-from sim2reason.quantities.springs import Extension, ExtensionRate
-from sim2reason.quantities.subjects.bodies import Bodies, moves
-from sim2reason.quantities.subjects.lines import Springs
-from sim2reason.quantities.subjects.pairs import Pairs, members
-from sim2reason.quantities.subjects.paths import center_path
 from sim2reason.questions.crossing import begins_beyond, crossings, jumps
 from sim2reason.questions.moments.parts.passage import Passage
 from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.mechanism import Elastic
+from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.quantities import QUANTITIES
+from sim2reason.simulation.quantities.kinematics import Velocity
+from sim2reason.simulation.quantities.relative import DistanceBetween
+from sim2reason.simulation.quantities.springs import Extension, ExtensionRate
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, moves
+from sim2reason.simulation.quantities.subjects.lines import Springs
+from sim2reason.simulation.quantities.subjects.pairs import Pairs, members
+from sim2reason.simulation.quantities.subjects.paths import center_path
 from sim2reason.simulation.trace import Trace
 
 SAME = 1e-6  # of the way between its least and its greatest value

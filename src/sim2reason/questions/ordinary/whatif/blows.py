@@ -2,7 +2,6 @@
 
 import re
 
-from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.questions.following import FollowedMotion
 from sim2reason.questions.kinds.period import PENDULUM
 from sim2reason.questions.ordinary.hearing import Heard
@@ -10,6 +9,7 @@ from sim2reason.questions.ordinary.reading import Reader, Reading, Understood
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.questions.structured import EQUILIBRIUM, START, StructuredQuestion
 from sim2reason.questions.words import Words
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
 
 _BLOW = "(?:blow|kick|hammer|push)"
 _REST = "(?:standing still|at rest|stationary|motionless|standing)"

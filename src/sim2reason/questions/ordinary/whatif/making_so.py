@@ -7,9 +7,7 @@ from math import isclose, isfinite
 
 import numpy as np
 
-from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
-from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.questions.dependence import Dependence
 from sim2reason.questions.derived_numbers import number_at, with_number
 from sim2reason.questions.following import FOLLOWED_NO_LONGER, FollowedMotion, follow, motion_of
@@ -36,6 +34,8 @@ from sim2reason.questions.study import COARSE
 from sim2reason.questions.unknown import range_of
 from sim2reason.questions.variation import words_in
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
 
 _MULTIPLE = f"(?P<mult>{'|'.join(MULTIPLES)}|#\\d+# times)"
 _WEIGHT = re.compile(

@@ -8,15 +8,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sim2reason.dsl.model import Parameter
-from sim2reason.dsl.scene import Scene
-from sim2reason.quantities.kinematics import Velocity
-from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.questions.derived_numbers import derived_numbers, with_number
 from sim2reason.questions.ordinary.hearing import ALL
 from sim2reason.questions.ordinary.vocabulary import GROUNDS
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.model import Parameter
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.simulation.quantities.kinematics import Velocity
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
 
 NUMBER = "NUMBER"  # in a pattern of other modules: a phrase for a number
 EVERY_MASS = "every mass"  # of all bodies that the text has

@@ -6,9 +6,6 @@ from math import inf, isclose
 import numpy as np
 
 from sim2reason.errors import TextError
-from sim2reason.quantities.kinematics import Acceleration, Velocity
-from sim2reason.quantities.subjects.bodies import Bodies, TurningBodies
-from sim2reason.quantities.subjects.pairs import AND
 from sim2reason.questions.derived_numbers import number_at, with_number
 from sim2reason.questions.following import FollowedMotion, motion_of
 from sim2reason.questions.moments.parts.slip_change import rolls
@@ -48,6 +45,9 @@ from sim2reason.questions.structured import START, StructuredQuestion, measured
 from sim2reason.questions.targets import OWN_AXLE, OWN_PATH
 from sim2reason.questions.unknown import limits_of
 from sim2reason.questions.words import Words
+from sim2reason.simulation.quantities.kinematics import Acceleration, Velocity
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies
+from sim2reason.simulation.quantities.subjects.pairs import AND
 
 NEEDED = "coefficient of friction needed"
 NEARLY = 1.0 - 1e-9

@@ -7,8 +7,6 @@ from math import isclose
 from typing import NamedTuple
 
 from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
-from sim2reason.quantities.kinematics import Velocity
-from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.questions.following import FollowedMotion, motion_of
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.reading import Reader, Understood
@@ -17,6 +15,8 @@ from sim2reason.questions.removal import FIELDS, removable
 from sim2reason.questions.structured import StructuredQuestion, measured
 from sim2reason.questions.variation import SceneChange, words_in
 from sim2reason.questions.words import Words
+from sim2reason.simulation.quantities.kinematics import Velocity
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
 
 _STRINGS = frozenset({"string", "rope", "cord", "thread"})
 _MOVES = re.compile(

@@ -5,10 +5,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from math import isclose
 
-from sim2reason.dsl.scene import Scene
 from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
-from sim2reason.quantities.kinematics import Velocity
-from sim2reason.quantities.subjects.bodies import Bodies, TurningBodies
 from sim2reason.questions.derived_numbers import number_at
 from sim2reason.questions.following import Followed, FollowedMotion, motion_of
 from sim2reason.questions.ordinary.hearing import Heard
@@ -23,6 +20,9 @@ from sim2reason.questions.structured import measured
 from sim2reason.questions.unknown import limits_of
 from sim2reason.questions.variation import SceneChange, units_of, words_in
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.simulation.quantities.kinematics import Velocity
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies
 
 TINY = 1e-9  # the least value of what must not be zero, and is as good as zero
 EQUAL = 1e-6  # relative: answers that differ by less are one

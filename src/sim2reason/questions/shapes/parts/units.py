@@ -5,9 +5,9 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from sim2reason.prose.closings import is_assumption
-from sim2reason.prose.description import Description
-from sim2reason.prose.phrases import paragraphs
+from sim2reason.text.prose.closings import is_assumption
+from sim2reason.text.prose.description import Description
+from sim2reason.text.prose.phrases import paragraphs
 
 _END = re.compile(r"(?:(?<=[.?])|(?<=[.?]\)))\s+(?=[A-Z(])")
 QUESTION = 2  # sentences, at most

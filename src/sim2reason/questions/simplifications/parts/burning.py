@@ -4,10 +4,10 @@ from abc import abstractmethod
 from collections.abc import Iterable
 from dataclasses import replace
 
-from sim2reason.dsl.mechanism import Burn, Mechanism
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism
 from sim2reason.questions.study import Study
+from sim2reason.scenes.dsl.mechanism import Burn, Mechanism
 
 SLOWER = 1e-6  # factor on the rate of burning; the exhaust is faster by its inverse, so that the thrust stays
 

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 from itertools import pairwise
 from math import hypot
 
-from sim2reason.dsl.frames import Frames, start
-from sim2reason.dsl.mechanism import Inextensible, Line, Mechanism, RigidBody
-from sim2reason.dsl.vectors import minus
+from sim2reason.scenes.dsl.frames import Frames, start
+from sim2reason.scenes.dsl.mechanism import Inextensible, Line, Mechanism, RigidBody
+from sim2reason.scenes.dsl.vectors import minus
 
 UPRIGHT = 1.0 - 1e-9  # cosine of the angle between what is upright and the vertical
 PLAIN = Inextensible()

@@ -6,10 +6,10 @@ from math import copysign, hypot, pi, sqrt
 
 import numpy as np
 
-from sim2reason.dsl.frames import start
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array, Dynamics, State
-from sim2reason.dsl.vectors import minus, product
+from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.state import Array, Dynamics, State
+from sim2reason.scenes.dsl.vectors import minus, product
 from sim2reason.simulation.trace import Trace
 
 SQUARE = 1e-9  # cosine of a right angle

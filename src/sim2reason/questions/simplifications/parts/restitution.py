@@ -4,10 +4,10 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import ClassVar
 
-from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism
 from sim2reason.questions.study import Study
+from sim2reason.scenes.dsl.mechanism import Mechanism
 
 
 class OneRestitution(ChangedMechanism):

@@ -4,11 +4,11 @@ from collections.abc import Callable
 
 import numpy as np
 
-from sim2reason.dsl.constancy import changing
-from sim2reason.dsl.state import Array, Dynamics, State
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications.parts.asked import asked_until
 from sim2reason.questions.study import Study
+from sim2reason.scenes.dsl.constancy import changing
+from sim2reason.scenes.dsl.state import Array, Dynamics, State
 from sim2reason.simulation.trace import Trace, happened
 
 Formulas = Callable[[Array, Array, Array], tuple[Array, Array]]

@@ -5,13 +5,13 @@ from dataclasses import replace
 from math import isfinite
 from typing import ClassVar
 
-from sim2reason.dsl.ablation import with_bodies
-from sim2reason.dsl.mechanism import Face, Mechanism, RigidBody
-from sim2reason.dsl.scene import Scene
-from sim2reason.dsl.solids import Overlooked, Shape, Solid, composed, transposed
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import Simplification
 from sim2reason.questions.study import Study
+from sim2reason.scenes.dsl.ablation import with_bodies
+from sim2reason.scenes.dsl.mechanism import Face, Mechanism, RigidBody
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.solids import Overlooked, Shape, Solid, composed, transposed
 
 
 def wheels(mechanism: Mechanism) -> tuple[str, ...]:

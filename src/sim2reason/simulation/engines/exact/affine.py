@@ -10,9 +10,9 @@ from fractions import Fraction
 
 import numpy as np
 
-from sim2reason.dsl.state import Array
-from sim2reason.dsl.vectors import Number
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
+from sim2reason.scenes.dsl.state import Array
+from sim2reason.scenes.dsl.vectors import Number
 from sim2reason.simulation.engines.exact.eigenpairs import Complex, eigenpairs
 from sim2reason.simulation.engines.exact.tape import Symbol, Tape
 

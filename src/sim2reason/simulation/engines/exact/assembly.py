@@ -7,9 +7,18 @@ of the equations gives the normal force.
 
 from collections.abc import Mapping, Sequence
 
-from sim2reason.dsl.frames import BodyFrame, Frames
-from sim2reason.dsl.mechanism import ConstantTension, Elastic, Force, Inextensible, Line, Mechanism, Meeting, Prop
-from sim2reason.dsl.vectors import (
+from sim2reason.scenes.dsl.frames import BodyFrame, Frames
+from sim2reason.scenes.dsl.mechanism import (
+    ConstantTension,
+    Elastic,
+    Force,
+    Inextensible,
+    Line,
+    Mechanism,
+    Meeting,
+    Prop,
+)
+from sim2reason.scenes.dsl.vectors import (
     Maths,
     Number,
     Point,

@@ -11,7 +11,7 @@ from math import pi
 
 import numpy as np
 
-from sim2reason.dsl.state import Array
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.exact.affine import LinearEquations
 from sim2reason.simulation.engines.exact.dop853 import Values
 from sim2reason.simulation.engines.exact.eigenpairs import REST, SOUND, DampedModes, found_damped

@@ -7,7 +7,7 @@ from fractions import Fraction
 import numpy as np
 import numpy.typing as npt
 
-from sim2reason.dsl.state import Array
+from sim2reason.scenes.dsl.state import Array
 
 Complex = npt.NDArray[np.complex128]
 Exact = Sequence[Sequence[Fraction]]

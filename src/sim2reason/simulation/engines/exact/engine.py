@@ -1,9 +1,9 @@
 """The exact engine's loop: impacts, forces, the next event, and again."""
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array
+from sim2reason.base.lazy import cached_property
 from sim2reason.errors import SimulationError
-from sim2reason.lazy import cached_property
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.exact.balance import Balance
 from sim2reason.simulation.engines.exact.contact_modes import NoForcesError
 from sim2reason.simulation.engines.exact.event_log import BEGINS, STOPS, TIE

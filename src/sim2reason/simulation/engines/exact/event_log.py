@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.engines.exact.lengths import RowKind
 from sim2reason.simulation.engines.exact.linear import Mode, RoughContact
 from sim2reason.simulation.trace import EVENT_KINDS, Event

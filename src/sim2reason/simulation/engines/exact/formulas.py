@@ -9,9 +9,9 @@ from functools import partial
 from itertools import chain
 from math import inf
 
-from sim2reason.dsl.constancy import straight
-from sim2reason.dsl.frames import Frames
-from sim2reason.dsl.vectors import Number, minus, product
+from sim2reason.scenes.dsl.constancy import straight
+from sim2reason.scenes.dsl.frames import Frames
+from sim2reason.scenes.dsl.vectors import Number, minus, product
 from sim2reason.simulation.engines.exact.affine import linear_equations
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.lengths import Phase, RowTerms

@@ -8,8 +8,8 @@ from math import hypot, inf, sqrt
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Inextensible, Meeting
-from sim2reason.dsl.vectors import Number, Triple, Vector, inner, minus, relative
+from sim2reason.scenes.dsl.mechanism import Inextensible, Meeting
+from sim2reason.scenes.dsl.vectors import Number, Triple, Vector, inner, minus, relative
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.balance import Balance
 from sim2reason.simulation.engines.exact.lengths import Phase

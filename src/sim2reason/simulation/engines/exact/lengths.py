@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from sim2reason.dsl.mechanism import Mechanism, Rigid
-from sim2reason.dsl.vectors import Gradient, Number, Point, Triple, product, relative
+from sim2reason.scenes.dsl.mechanism import Mechanism, Rigid
+from sim2reason.scenes.dsl.vectors import Gradient, Number, Point, Triple, product, relative
 
 
 class Phase(NamedTuple):

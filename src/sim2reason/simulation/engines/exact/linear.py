@@ -5,7 +5,7 @@ from math import inf
 from operator import mul
 from typing import NamedTuple
 
-from sim2reason.dsl.vectors import Number
+from sim2reason.scenes.dsl.vectors import Number
 from sim2reason.simulation.budget import Budget
 from sim2reason.simulation.engines.exact.tape import value_of
 

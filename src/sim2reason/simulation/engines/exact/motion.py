@@ -8,9 +8,9 @@ from math import nan
 import numpy as np
 from numpy.typing import NDArray
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array, Dynamics, State
-from sim2reason.lazy import cached_property
+from sim2reason.base.lazy import cached_property
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.state import Array, Dynamics, State
 from sim2reason.simulation.engines.exact.balance import Balance
 from sim2reason.simulation.engines.exact.flow import Flow, sampled
 from sim2reason.simulation.engines.exact.lengths import RowKind

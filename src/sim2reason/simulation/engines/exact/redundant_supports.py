@@ -6,7 +6,7 @@ hold more than µN although another set would not. So look for any set that is a
 
 import numpy as np
 
-from sim2reason.dsl.state import Array
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.exact.linear import Mode, Problem, Row
 
 ROUNDING = 1e-12

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.engines.exact.balance import Balance, Demand, balance, lifted
 from sim2reason.simulation.engines.exact.contact_modes import search
 from sim2reason.simulation.engines.exact.event_log import EventLog

@@ -6,13 +6,13 @@ from dataclasses import dataclass
 from itertools import pairwise
 from math import inf
 
-from sim2reason.dsl.constancy import ALIGNED, changing, steady
-from sim2reason.dsl.frames import start
-from sim2reason.dsl.mechanism import Line, Mechanism, Meeting, Rigid
-from sim2reason.dsl.start_speeds import check_speeds
-from sim2reason.dsl.vectors import Distance, Number, Triple, minus, product
+from sim2reason.base.lazy import cached_property
 from sim2reason.errors import SceneError, UnsupportedError
-from sim2reason.lazy import cached_property
+from sim2reason.scenes.dsl.constancy import ALIGNED, changing, steady
+from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.mechanism import Line, Mechanism, Meeting, Rigid
+from sim2reason.scenes.dsl.start_speeds import check_speeds
+from sim2reason.scenes.dsl.vectors import Distance, Number, Triple, minus, product
 from sim2reason.simulation.budget import Budget
 from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.lengths import Phase, RowKind, RowTerms, row_kinds

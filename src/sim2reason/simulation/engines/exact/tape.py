@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, cast
 
-from sim2reason.dsl.vectors import Number
+from sim2reason.scenes.dsl.vectors import Number
 from sim2reason.simulation.engines.exact.code import compiled
 
 Node = tuple[str, int, int]

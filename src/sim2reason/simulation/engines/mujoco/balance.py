@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.compiled_model import CompiledModel, Flags, Integers
 
 TURNS = 24

@@ -5,9 +5,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from sim2reason.dsl.mechanism import ConstantTension, Mechanism
-from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
+from sim2reason.scenes.dsl.mechanism import ConstantTension, Mechanism
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.budget import OPERATIONS, Budget
 from sim2reason.simulation.engines.mujoco.specification import IMPEDANCE, STEP, TINY, Specification, mujoco
 

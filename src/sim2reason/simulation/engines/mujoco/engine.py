@@ -4,9 +4,9 @@ from math import inf
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError, UnsupportedError
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.compiled_model import STEP, CompiledModel, Flags, Integers
 from sim2reason.simulation.engines.mujoco.event_detection import STILL, TOUCHING, EventDetector
 from sim2reason.simulation.engines.mujoco.forces import Settled, SoftMode, settle, strike, weightless

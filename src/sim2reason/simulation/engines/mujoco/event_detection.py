@@ -11,9 +11,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Inextensible, Line
-from sim2reason.dsl.state import Array
 from sim2reason.errors import SceneError
+from sim2reason.scenes.dsl.mechanism import Inextensible, Line
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.compiled_model import CompiledModel, Flags
 
 TOUCHING = 1e-8  # m; less is no distance

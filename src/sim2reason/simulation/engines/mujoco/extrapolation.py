@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sim2reason.dsl.state import Array
+from sim2reason.scenes.dsl.state import Array
 
 SEQUENCE = (2, 4, 6, 8)  # substeps
 FEWEST = 1  # the first of them after which a step may be accepted

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sim2reason.dsl.state import Array
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.balance import ForceBalance, ForceDemand, balance
 from sim2reason.simulation.engines.mujoco.compiled_model import TINY, CompiledModel, Flags
 from sim2reason.simulation.engines.mujoco.event_detection import STILL, TOUCHING, EventDetector

@@ -6,8 +6,8 @@ MuJoCo would take such masses for zero. Lengths keep their unit, so that the geo
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
-from sim2reason.dsl.fields import Law
-from sim2reason.dsl.mechanism import (
+from sim2reason.scenes.dsl.fields import Law
+from sim2reason.scenes.dsl.mechanism import (
     Attraction,
     Burn,
     ConstantTension,
@@ -18,8 +18,8 @@ from sim2reason.dsl.mechanism import (
     Mechanism,
     RigidBody,
 )
-from sim2reason.dsl.state import Array, Dynamics, State
-from sim2reason.dsl.vectors import Maths, Number, Triple, Vector, times
+from sim2reason.scenes.dsl.state import Array, Dynamics, State
+from sim2reason.scenes.dsl.vectors import Maths, Number, Triple, Vector, times
 from sim2reason.simulation.trace import Event, Trace
 
 LEAST = 1e-15  # kg: MuJoCo takes a mass or an inertia below that for nothing

@@ -4,8 +4,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array, Dynamics, State
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.state import Array, Dynamics, State
 
 
 @dataclass

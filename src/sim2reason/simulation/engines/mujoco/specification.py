@@ -12,8 +12,8 @@ from contextlib import contextmanager
 from importlib import import_module
 from typing import Any, Literal, TypeAlias
 
-from sim2reason.dsl.mechanism import ConstantTension, Line, Mechanism, RigidBody
 from sim2reason.errors import SimulationError
+from sim2reason.scenes.dsl.mechanism import ConstantTension, Line, Mechanism, RigidBody
 
 mujoco: Any = import_module("mujoco")  # it ships no types; seen by few modules of this package
 Element: TypeAlias = Any  # of a specification: a body, a joint, a site, a tendon

@@ -7,7 +7,7 @@ from itertools import count
 from math import ceil
 
 from sim2reason.datasets.processes import ALONE
-from sim2reason.datasets.request import Request
+from sim2reason.generation.request import Request
 from sim2reason.training.corpora import Row
 from sim2reason.training.prefetch import begin_worker
 from sim2reason.training.sources.fresh import Fresh

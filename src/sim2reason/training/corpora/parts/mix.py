@@ -7,8 +7,8 @@ from itertools import islice
 
 import numpy as np
 
-from sim2reason.datasets.random_scenes import generator
 from sim2reason.errors import TrainingError
+from sim2reason.generation.random_scenes import generator
 from sim2reason.training.corpora import CORPORA, Corpus, Row
 
 __all__ = ["MOST_ROWS", "Counted", "Mix", "counted", "mixed"]

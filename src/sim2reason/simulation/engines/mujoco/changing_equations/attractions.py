@@ -4,9 +4,9 @@ from typing import Any
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Attraction
-from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
+from sim2reason.scenes.dsl.mechanism import Attraction
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.specification import mujoco
 
 NEAREST = 1e-4  # of a distance at the start: nearer than that, rounding would be most of what a step errs by

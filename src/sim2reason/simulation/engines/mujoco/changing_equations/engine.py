@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array
 from sim2reason.errors import SimulationError
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.changing_equations.forces import Found
 from sim2reason.simulation.engines.mujoco.changing_equations.margins import (
     ARMED,

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sim2reason.dsl.state import Array
-from sim2reason.record import record
+from sim2reason.base.record import record
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.budget import Budget
 
 FLAT = 1e-10  # of the largest: a singular value that is none

@@ -6,10 +6,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import ZERO, Line
-from sim2reason.dsl.state import Array
-from sim2reason.dsl.vectors import Triple
 from sim2reason.errors import SimulationError
+from sim2reason.scenes.dsl.mechanism import ZERO, Line
+from sim2reason.scenes.dsl.state import Array
+from sim2reason.scenes.dsl.vectors import Triple
 from sim2reason.simulation.engines.mujoco.specification import mujoco
 
 

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sim2reason.dsl.state import Array
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.changing_equations.forces import (
     LARGE,
     NEVER,

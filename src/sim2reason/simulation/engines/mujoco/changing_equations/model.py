@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from sim2reason.dsl.constancy import steady
-from sim2reason.dsl.mechanism import Inextensible, Mechanism, Meeting, Prop, Rigid
-from sim2reason.dsl.state import Array
-from sim2reason.dsl.vectors import Triple
 from sim2reason.errors import SimulationError
+from sim2reason.scenes.dsl.constancy import steady
+from sim2reason.scenes.dsl.mechanism import Inextensible, Mechanism, Meeting, Prop, Rigid
+from sim2reason.scenes.dsl.state import Array
+from sim2reason.scenes.dsl.vectors import Triple
 from sim2reason.simulation.budget import OPERATIONS, Budget
 from sim2reason.simulation.engines.mujoco.changing_equations.attractions import Attractions
 from sim2reason.simulation.engines.mujoco.changing_equations.forces import LARGE, NEVER, Moving, Row, Situation, quick

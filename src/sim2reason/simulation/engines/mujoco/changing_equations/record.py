@@ -7,9 +7,9 @@ from math import nan
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Rigid
-from sim2reason.dsl.state import Array, Dynamics, State
 from sim2reason.errors import SimulationError
+from sim2reason.scenes.dsl.mechanism import Rigid
+from sim2reason.scenes.dsl.state import Array, Dynamics, State
 from sim2reason.simulation.engines.mujoco.changing_equations.forces import (
     Found,
     HardInstant,

@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from sim2reason.dsl.mechanism import Mechanism
-from sim2reason.dsl.state import Array
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.changing_equations.forces import (
     NEVER,
     Found,

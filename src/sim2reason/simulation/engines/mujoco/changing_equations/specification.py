@@ -7,8 +7,8 @@ contact keeps closed.
 from collections.abc import Sequence
 from typing import Any
 
-from sim2reason.dsl.mechanism import Mechanism, RigidBody
 from sim2reason.errors import SimulationError
+from sim2reason.scenes.dsl.mechanism import Mechanism, RigidBody
 from sim2reason.simulation.engines.mujoco.specification import TINY, Element, mujoco
 
 ROUND = 1e-10  # of a body's largest moment of inertia, added to all three: the library checks A + B ≥ C to the last bit

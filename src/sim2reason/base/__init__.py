@@ -1,0 +1,1 @@
+"""Foundations without physics: registries, lazy imports, optional packages, strict YAML, atomic files."""

@@ -1,0 +1,152 @@
+"""The registry of the members of one kind, such as entities or filters, filled from its package and entry points."""
+
+from collections.abc import Callable, ItemsView, Iterable, Iterator, Mapping, ValuesView
+from difflib import SequenceMatcher, get_close_matches
+from importlib import import_module
+from importlib.metadata import entry_points
+from pkgutil import iter_modules
+from typing import Any, Generic, TypeVar
+
+from sim2reason.errors import UnknownNameError
+
+LONGEST = 80  # characters of a name, above which none is near to it
+AS_NEAR = 0.85  # of the likeness of the nearest name: what else is near
+FEW = 20  # names that a line can show
+LIBRARY = __name__.partition(".")[0]
+_further: list[tuple[str, str, "Registry[Any]"]] = []
+T = TypeVar("T")
+M = TypeVar("M")
+
+
+class Registry(Mapping[str, T], Generic[T]):
+    """The members of one kind, by name; filled on first use from its package and from entry points.
+
+    A third party adds members by an entry point in the group ``sim2reason.<kind>`` that names a module.
+    """
+
+    def __init__(
+        self, kind: str, check: Callable[[str, object], None] | None = None, *, package: str | None = None
+    ) -> None:
+        """`kind` names the group of entry points ``sim2reason.<kind>``; its last word is the plural that people read.
+
+        `package` is imported module by module to fill the registry; by default ``sim2reason.<kind>``.
+
+        `check` takes the name and the member to be added, and raises for one that would do nothing.
+        """
+        self.package = package or f"{LIBRARY}.{kind}"
+        self.kind, self.called = kind, kind.rpartition(".")[2]
+        self._check = check
+        self._members: dict[str, T] = {}
+        self._filled = self._ordered = False
+
+    def add(self, name: str, member: M) -> M:
+        """Enter `member` under `name`; the same name twice is a programmer's error (ValueError)."""
+        known = self._members.get(name)
+        if known is not None and _origin(known) != _origin(member):
+            message = f"{self.kind}: {name!r} is registered twice, by {_origin(known)} and {_origin(member)}"
+            raise ValueError(message)
+        if self._check is not None:
+            self._check(name, member)
+        self._members = {**self._members, name: member}  # type: ignore[dict-item]
+        module = getattr(member, "__module__", None) or LIBRARY
+        if module.partition(".")[0] != LIBRARY:
+            _further.append((module, name, self))
+        self._ordered = False
+        return member
+
+    def has_added(self, name: str) -> bool:
+        """Return whether a member has been added by now, without filling the registry."""
+        return name in self._members
+
+    def register(self, name: str) -> Callable[[M], M]:
+        """Decorate a class or function to enter it under `name`."""
+        return lambda member: self.add(name, member)
+
+    def _fill(self) -> None:
+        if self._filled:
+            return
+        self._filled = True  # before the imports: they may look a sibling up
+        package = import_module(self.package)
+        for module in sorted(found.name for found in iter_modules(package.__path__)):
+            import_module(f"{package.__name__}.{module}")
+        for point in entry_points(group=f"sim2reason.{self.kind}"):
+            point.load()
+
+    def __getitem__(self, name: str) -> T:
+        """Raise UnknownNameError, with the nearest names, for a name that is not held."""
+        if not self._filled:
+            self._fill()
+        try:
+            return self._members[name]
+        except (KeyError, TypeError):  # a list, say, is no key at all
+            raise UnknownNameError(f"no such name among {self.called}: {_shown(name)}; {self._hint(name)}") from None
+
+    def _hint(self, name: object) -> str:
+        """Return what is near to an unknown name; where nothing is, all that there is, or how to see it."""
+        meant = {other: held for held, member in self._members.items() for other in getattr(member, "also", ())}
+        names = [*self._members, *meant]
+        near = nearest(name.lower(), names) if isinstance(name, str) else []
+        near = list(dict.fromkeys(meant.get(found, found) for found in near))
+        if near:
+            return f"did you mean: {', '.join(near)}"
+        few = len(self._members) <= FEW
+        return f"there are: {', '.join(self)}" if few else f"see: sim2reason list {self.called}"
+
+    def name_of(self, value: object) -> str:
+        """Under which name the class of `value` is held; the name of the class where a program has its own."""
+        return next((name for name, kind in self.items() if kind is type(value)), type(value).__name__)
+
+    def _all(self) -> dict[str, T]:
+        """All members in alphabetical order of their names, so that draws do not depend on the order of imports."""
+        self._fill()
+        if not self._ordered:
+            self._members, self._ordered = dict(sorted(self._members.items())), True
+        return self._members
+
+    def __iter__(self) -> Iterator[str]:
+        """Names in alphabetical order."""
+        return iter(self._all())
+
+    def values(self) -> ValuesView[T]:
+        """Return the members in that order."""
+        return self._all().values()
+
+    def items(self) -> ItemsView[str, T]:
+        """Return the names with their members in that order."""
+        return self._all().items()
+
+    def __len__(self) -> int:
+        """Return how many members there are."""
+        return len(self._all())
+
+
+def further_members() -> dict[str, tuple[str, ...]]:
+    """Return the names of members from outside the library, by module, in the order in which they were added.
+
+    A process that works for a program imports these modules first.
+    """
+    found: dict[str, tuple[str, ...]] = {}
+    for module, name, registry in _further:
+        if registry.has_added(name):
+            found[module] = (*found.get(module, ()), name)
+    return found
+
+
+def nearest(name: str, names: Iterable[str], most: int = 3) -> list[str]:
+    """Return what `name` could be a slip for: the names like it, the nearest first, and none that is much farther."""
+    found = get_close_matches(name, names, n=most) if len(name) <= LONGEST else []
+    return [other for other in found if _likeness(name, other) >= AS_NEAR * _likeness(name, found[0])]
+
+
+def _likeness(name: str, other: str) -> float:
+    return SequenceMatcher(None, other, name).ratio()
+
+
+def _shown(name: object) -> str:
+    """Return a name in quotes, or the beginning of a long one."""
+    text = repr(name)
+    return text if len(text) <= LONGEST else f"{text[:LONGEST]}…"
+
+
+def _origin(member: object) -> str:
+    return f"{getattr(member, '__module__', '?')}.{getattr(member, '__qualname__', repr(member))}"

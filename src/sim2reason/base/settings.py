@@ -1,0 +1,147 @@
+"""Settings in a YAML file: read strictly, with errors that do not repeat secrets."""
+
+from collections.abc import Callable, Hashable, Mapping
+from pathlib import Path
+from typing import Any, Final, TypeVar, cast
+
+from pydantic import BaseModel, ValidationError
+from yaml import AliasEvent, MappingNode, MarkedYAMLError, Node, SafeLoader, ScalarNode, YAMLError, load
+
+from sim2reason.base.registry import Registry
+from sim2reason.base.yaml_text import NUMBER, TRUTH
+from sim2reason.errors import EvaluationError, Sim2ReasonError
+
+__all__ = ["configuration", "each_of", "first_fault", "held_to", "of_kind", "settings_in"]
+
+T = TypeVar("T")
+
+
+def held_to(check: Callable[[T], object], value: T) -> T:
+    """The value, for a validator; what `check` raises of ours is its ValueError, and so is told with its place."""
+    try:
+        check(value)
+    except Sim2ReasonError as error:
+        raise ValueError(str(error)) from None
+    return value
+
+
+def first_fault(error: ValidationError) -> str:
+    """Return the first fault, in one line: where, and what is wrong with it."""
+    detail = error.errors(include_url=False, include_input=False)[0]
+    where = ".".join(map(str, detail["loc"])) or "all of it"
+    said = {"extra_forbidden": "no such setting", "missing": "is missing"}.get(detail["type"], detail["msg"])
+    return f"{where}: {said.removeprefix('Value error, ')}"
+
+
+# PyYAML's stubs leave nodes and events untyped:
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
+
+
+MAX_BYTES: Final = 2**20
+_TEXT: Final = "tag:yaml.org,2002:str"
+Fault = type[Sim2ReasonError]
+M = TypeVar("M", bound=BaseModel)
+
+
+class _Plain(SafeLoader):
+    """No aliases, which could stand for more than fits in memory, no key twice, and no value that readers differ on.
+
+    YAML 1.1 takes 012 for 10, 1:30 for 90 and *on* for true; here, as in scene files, they are refused.
+    """
+
+    def compose_node(self, parent: Node | None, index: Any) -> Node | None:  # noqa: ANN401 - the library's own
+        if self.check_event(AliasEvent):
+            raise YAMLError("an alias; write the value itself")
+        return super().compose_node(parent, index)
+
+    def construct_object(self, node: Node, deep: bool = False) -> Any:  # noqa: ANN401, FBT001, FBT002 - the library's own
+        if not isinstance(node, ScalarNode) or node.style is not None or not node.value:
+            return super().construct_object(node, deep)
+        text = node.value
+        if text in TRUTH:
+            return TRUTH[text]
+        if number := NUMBER.fullmatch(text):
+            return int(text) if number[1] is None and number[2] is None else float(text)
+        if node.tag != _TEXT:
+            problem = (
+                "a value that readers of YAML differ on; write 12, 0.5, 1.5e-3, true, false, null, or a text in quotes"
+            )
+            raise MarkedYAMLError(problem=problem, problem_mark=node.start_mark)
+        return super().construct_object(node, deep)
+
+    def construct_mapping(self, node: MappingNode, deep: bool = False) -> dict[Hashable, Any]:  # noqa: FBT001, FBT002
+        names = [getattr(key, "value", None) for key, _ in node.value]
+        if twice := sorted({str(name) for name in names if names.count(name) > 1}):
+            raise YAMLError(f"{twice[0]!r} stands twice in one place")
+        return super().construct_mapping(node, deep)
+
+
+def settings_in(path: Path) -> dict[str, object]:
+    """What a YAML file says; EvaluationError, which repeats nothing but names of settings, if it is no mapping."""
+    with path.open("rb") as file:
+        content = file.read(MAX_BYTES + 1)
+    if len(content) > MAX_BYTES:
+        raise EvaluationError(f"{path}: more than {MAX_BYTES} bytes; a configuration is shorter")
+    try:
+        found = load(content.decode(), _Plain)  # noqa: S506 - a SafeLoader
+    except (YAMLError, UnicodeDecodeError, RecursionError, ValueError) as error:
+        mark = getattr(error, "problem_mark", None)
+        line = f", line {mark.line + 1}" if mark is not None else ""
+        why = " ".join(str(getattr(error, "problem", None) or error).split())[:200]
+        raise EvaluationError(f"{path}{line}: this is not YAML that we read: {why}") from None
+    if not isinstance(found, dict) or not all(isinstance(key, str) for key in cast("dict[object, object]", found)):
+        raise EvaluationError(f"{path}: holds no settings; write NAME: VALUE in each line")
+    return cast("dict[str, object]", found)
+
+
+def of_kind(registry: Registry[type[M]], settings: Mapping[str, object], place: str, fault: Fault) -> M:
+    """Return the member that settings describe: their `kind` is its registered name, the rest are its own.
+
+    Raises:
+        Sim2ReasonError: of the class `fault`, a setting that is unknown, missing or makes no sense, with its place.
+        UnknownNameError: no such kind.
+    """
+    kind, rest = settings.get("kind"), {key: value for key, value in settings.items() if key != "kind"}
+    if not isinstance(kind, str):
+        raise fault(f"{place}.kind: give one of {', '.join(registry)}")
+    try:
+        return registry[kind].model_validate(rest)
+    except ValidationError as error:
+        raise fault(f"{place}.{first_fault(error)}") from None
+
+
+def each_of(given: object, built: Callable[[Mapping[str, object], str], T], place: str) -> object:
+    """What is built of each mapping of a list, told its place in it; anything else as it is, to be refused later."""
+    if not isinstance(given, list):
+        return given
+    rows = enumerate(cast("list[object]", given))
+    return tuple(
+        built(cast("Mapping[str, object]", each), f"{place}[{number}]") if isinstance(each, Mapping) else each
+        for number, each in rows
+    )
+
+
+def configuration(
+    config: Path | str | Mapping[str, object],
+    out: Path | None,
+    built: Callable[[dict[str, object]], T],
+    fault: Fault,
+) -> T:
+    """Return what is built of a YAML file, or of settings; `out` stands for the folder that they name.
+
+    Raises:
+        Sim2ReasonError: of the class `fault`, a setting that is unknown, missing or makes no sense; and what `built`
+            raises, with the file's name before it.
+        EvaluationError: a file that is no YAML.
+    """
+    place = "" if isinstance(config, Mapping) else f"{config}: "
+    settings = dict(config) if isinstance(config, Mapping) else settings_in(Path(config))
+    if out is not None:
+        settings["out"] = out
+    try:
+        return built(settings)
+    except ValidationError as error:
+        raise fault(f"{place}{first_fault(error)}") from None
+    except Sim2ReasonError as error:
+        error.args = (f"{place}{error}", *error.args[1:])
+        raise

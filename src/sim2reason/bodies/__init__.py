@@ -1,5 +1,0 @@
-"""The bodies that entities are made of, in modules by theme."""
-
-from sim2reason.dsl.body import BODIES
-
-__all__ = ["BODIES"]

@@ -1,0 +1,75 @@
+"""Exports: datasets in the formats of libraries for training and evaluation, a module for each."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, ClassVar, NamedTuple, TypeVar
+
+from sim2reason.base.registry import Registry
+from sim2reason.generation.item import Item
+
+FILES = Path(__file__).parent / "files"
+Row = Mapping[str, Any]
+Column = type[str] | type[int] | type[float] | list["Column"] | dict[str, "Column"]
+"""What a column of a Parquet file holds: a plain type, a list of one, or a record of several."""
+
+
+class Place(NamedTuple):
+    """Where a row stands: in the file of which split, and how many rows are before it."""
+
+    split: str
+    number: int
+
+
+class Export(ABC):
+    """Format in which a library for training or evaluation reads problems.
+
+    The folder that is written holds a file of rows for each split, and a copy of all in `files`: Python as it is,
+    other texts with ``{training}`` and ``{split}`` (the splits to train and to evaluate on), ``{splits}`` (a list of
+    all with their rows), ``{license}`` (that of the data), ``{repository}`` (what pip installs this library by) and
+    ``{source}`` filled in.
+
+    Class data:
+        name: under which it is registered.
+        also: what else it may be looked for by.
+        data: the name of a split's file; ``{split}`` stands for the split.
+        columns: those of a Parquet file; empty for JSON lines.
+        lacks: why `row` leaves an item out, in words; empty where it never does.
+        files: the folder whose content is copied; by default that of its name in ``sim2reason/exports/files``.
+    """
+
+    name: ClassVar[str]
+    also: ClassVar[Sequence[str]] = ()
+    data: ClassVar[str] = "data/{split}.jsonl"
+    columns: ClassVar[Mapping[str, Column]] = {}
+    lacks: ClassVar[str] = ""
+    files: ClassVar[Path | None] = None
+
+    @abstractmethod
+    def row(self, item: Item, place: Place) -> Row | None:
+        """Return what a file says of an item; None to leave it out."""
+
+    def license(self, name: str) -> str:
+        """Return the export's name for the licence that the Hugging Face Hub calls `name`."""
+        return name
+
+    @property
+    def folder(self) -> Path:
+        """Return where the files lie that are copied beside the data."""
+        return self.files or FILES / self.name
+
+
+def check_data(name: str, member: object) -> None:
+    """Refuse an export all of whose splits would go to one file, with ValueError."""
+    if "{split}" not in getattr(member, "data", ""):
+        raise ValueError(f"exports: {name!r} writes all splits to one file; say {{split}} in its `data`")
+
+
+E = TypeVar("E", bound=Export)
+EXPORTS: Registry[Export] = Registry("exports", check_data, package="sim2reason.datasets.exports")
+
+
+def target(cls: type[E]) -> type[E]:
+    """Enter an export under its name."""
+    EXPORTS.add(cls.name, cls())
+    return cls

@@ -1,5 +1,0 @@
-"""The entities that scenes are made of, in modules by theme."""
-
-from sim2reason.dsl.entity import ENTITIES
-
-__all__ = ["ENTITIES"]

@@ -1,0 +1,1 @@
+"""Evaluation of language models: policies, benchmarks and reports."""

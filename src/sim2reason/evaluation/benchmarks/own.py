@@ -1,0 +1,104 @@
+"""Benchmarks from files of problems: JSON lines, saved datasets and problems drawn anew."""
+
+from collections.abc import Iterator
+from itertools import islice
+from pathlib import Path
+from typing import Annotated, Self
+
+from annotated_types import Ge, Le
+from pydantic import JsonValue, ValidationError, model_validator
+
+from sim2reason.base.settings import first_fault
+from sim2reason.datasets.chosen import Chosen
+from sim2reason.datasets.dataset import Dataset
+from sim2reason.datasets.items import stream
+from sim2reason.datasets.names import modes_named
+from sim2reason.errors import EvaluationError
+from sim2reason.evaluation.benchmarks import BENCHMARKS, Benchmark, BenchmarkItem
+from sim2reason.evaluation.benchmarks.parts.files import rows
+from sim2reason.evaluation.benchmarks.parts.questions import QuestionFile
+from sim2reason.generation.item import Item
+from sim2reason.generation.request import LARGEST
+
+__all__ = ["SYNTHETIC", "AnyFile", "Saved", "Synthetic", "benchmark_item"]
+
+
+@BENCHMARKS.register("jsonl")
+class AnyFile(QuestionFile):
+    """Any .json, .jsonl or .parquet file of questions with answers; columns and rule are settings."""
+
+
+@BENCHMARKS.register("saved")
+class Saved(Benchmark):
+    """Problems that a run has saved: the held-out ones of a training, or those of another evaluation."""
+
+    file: Path
+    """A .jsonl file such as RUN/problems/BENCHMARK.jsonl."""
+
+    def problems(self) -> Iterator[BenchmarkItem]:
+        """Yield those of the file, in its order."""
+        for number, row in enumerate(rows(self.file)):
+            try:
+                yield BenchmarkItem.model_validate(row)
+            except ValidationError as error:
+                raise EvaluationError(f"{self.file}: row {number}: {first_fault(error)}") from None
+
+
+SYNTHETIC = "synthetic"
+DRAWN = 100
+
+
+def benchmark_item(item: Item, *, lenient: bool = False) -> BenchmarkItem:
+    """Return an item of ours as a benchmark has it: scored by our grader, and tagged by all that reports group by."""
+    tags = {
+        "recipe": (item.recipe,),
+        "difficulty": (item.difficulty,),
+        "mode": (item.mode,),
+        "kind": (item.kind,),
+        "quantity": (item.asked.quantity,),
+        "entity": tuple(sorted(set(item.entities))),
+    }
+    answer = item.answer.model_dump(mode="json")
+    reference: dict[str, JsonValue] = {"answer": answer, "told": item.answer.told, "lenient": lenient}
+    return BenchmarkItem(id=item.id, prompt=item.prompt, scoring="sim2reason", reference=reference, tags=tags)
+
+
+@BENCHMARKS.register(SYNTHETIC)
+class Synthetic(Chosen, Benchmark):
+    """Problems of ours: a dataset folder, or drawn from a seed."""
+
+    dataset: Path | None = None
+    """A folder that ``sim2reason generate`` has finished; else problems are drawn."""
+    split: str | None = None
+    """Of the dataset; by default all."""
+    seed: Annotated[int, Ge(0), Le(LARGEST)] | None = None
+    """Of the draws; keep it from all training."""
+    items: Annotated[int, Ge(1)] = DRAWN
+    """How many are drawn, of each mode."""
+
+    @model_validator(mode="after")
+    def _one_source(self) -> Self:
+        if (self.dataset is None) == (self.seed is None):
+            raise ValueError("give either dataset, a folder, or seed, to draw problems")
+        if self.split is not None and self.dataset is None:
+            raise ValueError("split is one of a dataset")
+        if self.dataset is not None and (idle := sorted(self.model_fields_set & {*Chosen.model_fields, "items"})):
+            raise ValueError(f"{idle[0]} is of problems that are drawn; a dataset is taken as it is, or its split")
+        return self
+
+    @property
+    def pure(self) -> bool:
+        """Return where problems are drawn."""
+        return self.seed is not None
+
+    def problems(self) -> Iterator[BenchmarkItem]:
+        """In the dataset's order, or in that of the draws."""
+        return (benchmark_item(item, lenient=self.lenient) for item in self._items())
+
+    def _items(self) -> Iterator[Item]:
+        if self.dataset is not None:
+            yield from Dataset(self.dataset).items(self.split)
+            return
+        assert self.seed is not None
+        for mode in modes_named(self.modes):
+            yield from islice(stream(self.recipe, self.difficulty, mode, seed=self.seed), self.items)

@@ -1,0 +1,253 @@
+"""The folder of an evaluation run: its plan, its problems and its answers."""
+
+import json
+import shutil
+from collections.abc import Iterable, Mapping
+from importlib.metadata import version
+from pathlib import Path
+
+from pydantic import BaseModel, ConfigDict, JsonValue, ValidationError
+
+from sim2reason.base.atomic_files import canonical, put_text
+from sim2reason.errors import EvaluationError
+from sim2reason.evaluation.benchmarks import BENCHMARKS, Benchmark, BenchmarkItem, data_hash, items_of
+from sim2reason.evaluation.benchmarks.runs.config import Evaluation
+from sim2reason.evaluation.benchmarks.scoring import SCORINGS
+from sim2reason.evaluation.policies import POLICIES, Policy
+from sim2reason.generation.made import SHAPING
+
+__all__ = ["BenchmarkPlan", "PolicyPlan", "RunFolder", "RunRecord", "copy_answers"]
+
+RUN, PROBLEMS, SAMPLES, JUDGED, REPORT = "run.json", "problems", "samples", "judged", "report"
+
+
+class _Record(BaseModel):
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+
+class PolicyPlan(_Record):
+    """A policy of a run: all its settings, and those that decide its answers."""
+
+    kind: str
+    settings: dict[str, JsonValue]
+    decisive: dict[str, JsonValue]
+
+    @property
+    def step(self) -> int | None:
+        """After how many steps of training it was saved."""
+        found = self.settings.get("step")
+        return found if isinstance(found, int) else None
+
+
+class BenchmarkPlan(_Record):
+    """A benchmark of a run."""
+
+    kind: str
+    settings: dict[str, JsonValue]
+    samples: int
+    """Of each problem and policy."""
+    items: int
+    data: str
+    """The hash of all that is asked and of all answers."""
+
+
+class RunRecord(_Record):
+    """``run.json``: what decides the answers of a run, and with which version it was begun."""
+
+    seed: int
+    policies: dict[str, PolicyPlan]
+    benchmarks: dict[str, BenchmarkPlan]
+    judge: PolicyPlan | None = None
+    versions: dict[str, str]
+
+    def difference(self, other: "RunRecord") -> str:
+        """Return the first thing in which `other` cannot go on with this; empty if it can.
+
+        It can with more samples, further policies and further benchmarks.
+        """
+        if self.seed != other.seed:
+            return f"seed {self.seed} ≠ {other.seed}"
+        for name, plan in self.policies.items():
+            if name in other.policies and (where := _first(plan.decisive, other.policies[name].decisive)):
+                return f"policy {name}: {where}"
+        for name, benchmark in self.benchmarks.items():
+            if name in other.benchmarks and benchmark.data != other.benchmarks[name].data:
+                return f"benchmark {name}: other problems"
+        if self.judge and other.judge and (where := _first(self.judge.decisive, other.judge.decisive)):
+            return f"judge: {where}"
+        return ""
+
+    def joined(self, other: "RunRecord") -> "RunRecord":
+        """This, and what `other` adds; of what both have, that of `other`, but never fewer samples."""
+        more = {
+            name: plan.model_copy(update={"samples": max(plan.samples, self.benchmarks[name].samples)})
+            if name in self.benchmarks
+            else plan
+            for name, plan in other.benchmarks.items()
+        }
+        return other.model_copy(
+            update={
+                "policies": {**self.policies, **other.policies},
+                "benchmarks": {**self.benchmarks, **more},
+                "judge": other.judge or self.judge,
+            }
+        )
+
+
+def _first(mine: Mapping[str, object], theirs: Mapping[str, object]) -> str:
+    return next((name for name in sorted(mine.keys() | theirs.keys()) if mine.get(name) != theirs.get(name)), "")
+
+
+class RunFolder:
+    """A folder with a run, finished or not."""
+
+    def __init__(self, path: Path) -> None:
+        """EvaluationError if there is no run."""
+        self.path = path
+        file = path / RUN
+        try:
+            self.record = RunRecord.model_validate_json(file.read_bytes())
+        except FileNotFoundError:
+            raise EvaluationError(f"{path}: no {RUN} here; give the folder of a run of sim2reason eval") from None
+        except ValidationError:
+            raise EvaluationError(
+                f"{file}: damaged, or of another version; begin a new run in another folder"
+            ) from None
+
+    @classmethod
+    def begun(cls, evaluation: Evaluation) -> "RunFolder":
+        """Return the folder of an evaluation, new or gone on with; the caller holds its lock.
+
+        A run to whose problems no answer has come is replaced by another.
+
+        Raises:
+            EvaluationError: the folder holds something else, or a run with which this one can't go on.
+            PolicyError, MissingExtraError: the run would begin, and a policy can't be asked, or a rule not be applied.
+        """
+        out = evaluation.out
+        if not (out / RUN).is_file() and (strangers := sorted(path.name for path in out.iterdir())):
+            raise EvaluationError(f"{out}: holds {strangers[0]} and is no run; choose a new folder")
+        before = cls(out).record if (out / RUN).is_file() else None
+        if before is None:
+            evaluation.check()  # before problems are drawn, which may take minutes
+        items = {each.name: _drawn_before(out, each) or items_of(each) for each in evaluation.benchmarks}
+        for rule in sorted({item.scoring for held in items.values() for item in held}):
+            SCORINGS[rule].check()
+        record = _record(evaluation, items)
+        why = "" if before is None else before.difference(record)
+        if why and any(path.stat().st_size for path in (out / SAMPLES).rglob("*.jsonl")):
+            raise EvaluationError(f"{out}: holds a run of another configuration ({why}); choose a new folder")
+        if why:
+            evaluation.check()
+        elif before is not None:
+            record = before.joined(record)
+        for name, held in items.items():
+            (out / PROBLEMS).mkdir(exist_ok=True)
+            lines = "".join(f"{item.model_dump_json()}\n" for item in held)
+            put_text(out / PROBLEMS / f"{name}.jsonl", lines, out)
+        put_text(out / RUN, canonical(record.model_dump(mode="json")), out)
+        return cls(out)
+
+    def items(self, benchmark: str) -> list[BenchmarkItem]:
+        """Return the problems of a benchmark, as they are asked; EvaluationError if the run was begun with others."""
+        path = self.path / PROBLEMS / f"{benchmark}.jsonl"
+        try:
+            with path.open("rb") as lines:
+                found = [BenchmarkItem.model_validate_json(line) for line in lines]
+        except (FileNotFoundError, ValidationError):
+            raise EvaluationError(f"{path}: missing or damaged; give the same sim2reason eval again") from None
+        if data_hash(found) != self.record.benchmarks[benchmark].data:
+            raise EvaluationError(f"{path}: changed since the run was begun; give the same sim2reason eval again")
+        return found
+
+    def samples(self, policy: str, benchmark: str) -> Path:
+        """Return the journal of a policy's answers to a benchmark."""
+        return self.path / SAMPLES / policy / f"{benchmark}.jsonl"
+
+    def judged(self, policy: str, benchmark: str) -> Path:
+        """Return the journal of what the judge said of them."""
+        return self.path / JUDGED / policy / f"{benchmark}.jsonl"
+
+    @property
+    def report(self) -> Path:
+        """The folder of its report."""
+        return self.path / REPORT
+
+
+def _drawn_before(out: Path, benchmark: Benchmark) -> list[BenchmarkItem]:
+    """The problems of a run that is gone on with, where the same settings would draw the same again; else none."""
+    if not benchmark.pure or not (out / RUN).is_file():
+        return []
+    before = RunFolder(out)
+    plan = before.record.benchmarks.get(benchmark.name)
+    same = plan is not None and plan.settings == _settings(benchmark) and before.record.versions == _versions()
+    return before.items(benchmark.name) if same else []
+
+
+def _settings(benchmark: Benchmark) -> dict[str, JsonValue]:
+    return json.loads(benchmark.model_dump_json())
+
+
+def _versions() -> dict[str, str]:
+    return {name: version(name) for name in SHAPING}
+
+
+def _record(evaluation: Evaluation, items: Mapping[str, Iterable[BenchmarkItem]]) -> RunRecord:
+    return RunRecord(
+        seed=evaluation.seed,
+        policies={policy.name: _plan(policy) for policy in evaluation.policies},
+        benchmarks={each.name: _benchmark(evaluation, each, [*items[each.name]]) for each in evaluation.benchmarks},
+        judge=None if evaluation.judge is None else _plan(evaluation.judge),
+        versions=_versions(),
+    )
+
+
+def _kind(registry: Mapping[str, type], value: object) -> str:
+    """Return the name under which the class of `value` is registered; that of the class where a program has its own."""
+    return next((name for name, kind in registry.items() if kind is type(value)), type(value).__name__)
+
+
+def _plan(policy: Policy) -> PolicyPlan:
+    return PolicyPlan.model_validate(
+        {"kind": _kind(POLICIES, policy), "settings": policy.settings, "decisive": policy.decisive}
+    )
+
+
+def _benchmark(evaluation: Evaluation, benchmark: Benchmark, items: list[BenchmarkItem]) -> BenchmarkPlan:
+    return BenchmarkPlan(
+        kind=_kind(BENCHMARKS, benchmark),
+        settings=_settings(benchmark),
+        samples=evaluation.samples_of(benchmark),
+        items=len(items),
+        data=data_hash(items),
+    )
+
+
+PARTIAL = ".part"
+
+
+def copy_answers(run: Path, out: Path, model: str, copied: str) -> None:
+    """Begin in `out` a run with what policies of `model` have answered in `run`, as answers of its copy at `copied`.
+
+    Nothing is begun if there are none. EvaluationError if there is no run.
+    """
+    found = RunFolder(run)
+    policies = {name: plan for name, plan in found.record.policies.items() if plan.decisive.get("model") == model}
+    if not policies:
+        return
+    partial = out.with_name(out.name + PARTIAL)
+    shutil.rmtree(partial, ignore_errors=True)
+    shutil.copytree(run / PROBLEMS, partial / PROBLEMS)
+    for name in policies:
+        if (run / SAMPLES / name).is_dir():
+            shutil.copytree(run / SAMPLES / name, partial / SAMPLES / name)
+    plans = {name: _of(plan, copied) for name, plan in policies.items()}
+    record = found.record.model_copy(update={"policies": plans, "judge": None})
+    put_text(partial / RUN, canonical(record.model_dump(mode="json")), partial)
+    partial.rename(out)
+
+
+def _of(plan: PolicyPlan, model: str) -> PolicyPlan:
+    """Return the same policy of a model at another place."""
+    settings, decisive = ({**held, "model": model} for held in (plan.settings, plan.decisive))
+    return plan.model_copy(update={"settings": settings, "decisive": decisive})

@@ -1,0 +1,107 @@
+"""Run an evaluation: ask every policy every problem, then the judge, and write each answer down as it comes."""
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+from sim2reason.base.atomic_files import working_in
+from sim2reason.errors import PolicyError
+from sim2reason.evaluation.benchmarks import BenchmarkItem
+from sim2reason.evaluation.benchmarks.runs.config import Evaluation
+from sim2reason.evaluation.benchmarks.runs.folder import RunFolder
+from sim2reason.evaluation.benchmarks.scoring import SCORINGS
+from sim2reason.evaluation.policies import Policy, SampleRequest
+from sim2reason.evaluation.policies.samples.ask import Asked, ask, requests_for, sample_seed
+from sim2reason.evaluation.policies.samples.budget import Budget
+from sim2reason.evaluation.policies.samples.journal import SampleJournal, finished
+
+__all__ = ["judged_id", "run", "total_samples"]
+
+Advance = Callable[[int], object]
+
+
+def total_samples(evaluation: Evaluation, folder: RunFolder) -> int:
+    """Return how many answers an evaluation wants."""
+    each = (
+        folder.record.benchmarks[benchmark.name].items * evaluation.samples_of(benchmark)
+        for benchmark in evaluation.benchmarks
+    )
+    return len(evaluation.policies) * sum(each)
+
+
+def run(
+    evaluation: Evaluation,
+    *,
+    begun: Callable[[int], object] = lambda _: None,
+    advance: Advance = lambda _: None,
+) -> tuple[RunFolder, list[str]]:
+    """Return the folder of the run, with all that could be asked, and why each open sample got no answer.
+
+    `begun` is told how many samples there are, `advance` how many more are finished.
+
+    Raises:
+        EvaluationError: a benchmark, or a folder, that can't be used.
+        PolicyError: a policy that can't be asked, or whose limit is reached; what was finished is kept.
+    """
+    with working_in(evaluation.out):
+        folder = RunFolder.begun(evaluation)
+        begun(total_samples(evaluation, folder))
+        left = [why for policy in evaluation.policies for why in _answers(evaluation, folder, policy, advance)]
+        if evaluation.judge is not None:
+            left += _judge(evaluation, folder, evaluation.judge)
+        return folder, left
+
+
+def _answers(evaluation: Evaluation, folder: RunFolder, policy: Policy, advance: Advance) -> list[str]:
+    """Ask one policy all problems; the reasons of those that got no answer."""
+    wanted: list[tuple[Path, list[SampleRequest]]] = []
+    for benchmark in evaluation.benchmarks:
+        prompts = ((item.id, item.prompt) for item in folder.items(benchmark.name))
+        requests = list(requests_for(prompts, evaluation.samples_of(benchmark), evaluation.seed))
+        wanted.append((folder.samples(policy.name, benchmark.name), requests))
+    return _asked(policy, wanted, advance)
+
+
+def _asked(policy: Policy, wanted: list[tuple[Path, list[SampleRequest]]], advance: Advance) -> list[str]:
+    """Ask for all requests, each list into a journal of its own, out of one budget; why those left open are.
+
+    PolicyError if none of them was answered: nobody is there, however few they were.
+    """
+    budget, found = Budget(policy), list[Asked]()
+    for path, requests in wanted:
+        budget.charge_finished(path, requests)
+    for path, requests in wanted:
+        with SampleJournal(path) as journal:
+            found.append(ask(policy, requests, journal, budget=budget, advance=advance))
+    left = [why for each in found for why in each.open]
+    if left and not any(each.finished_now for each in found):
+        raise PolicyError(f"{left[-1]}; not one request was answered; try again later")
+    return left
+
+
+def judged_id(item: str, sample: int) -> str:
+    """By which a judge's journal knows a sample."""
+    return f"{item}#{sample}"
+
+
+def _judge(evaluation: Evaluation, folder: RunFolder, judge: Policy) -> list[str]:
+    """Ask the judge about whatever the rules leave to one."""
+    wanted = [
+        (folder.judged(policy.name, benchmark.name), requests)
+        for policy in evaluation.policies
+        for benchmark in evaluation.benchmarks
+        if (requests := list(_questions(evaluation, folder, policy.name, benchmark.name)))
+    ]
+    return _asked(judge, wanted, lambda _: None)
+
+
+def _questions(evaluation: Evaluation, folder: RunFolder, policy: str, benchmark: str) -> Iterator[SampleRequest]:
+    items: dict[str, BenchmarkItem] = {item.id: item for item in folder.items(benchmark)}
+    for found in finished(folder.samples(policy, benchmark)):
+        item = items.get(found.id)
+        if item is None:
+            continue
+        rule, response = SCORINGS[item.scoring], found.completion.whole
+        asked = rule.question(response, item.reference, item.prompt)
+        if asked is not None and rule.award(response, item.reference).points < 1.0:
+            name = judged_id(found.id, found.sample)
+            yield SampleRequest(name, 0, asked, sample_seed(evaluation.seed, name, 0))

@@ -1,0 +1,243 @@
+"""Scoring of exams: HiPhO, JEEBench and OlympiadBench."""
+
+import re
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Final, NamedTuple, cast
+
+from pydantic import JsonValue
+
+from sim2reason.evaluation.benchmarks.scoring import SCORINGS, Award, Reference, Scoring
+from sim2reason.evaluation.benchmarks.scoring.parts.answers import (
+    boxes,
+    chosen,
+    in_box,
+    parts,
+    read,
+    said_without_box,
+    unit_or_none,
+)
+from sim2reason.evaluation.benchmarks.scoring.parts.expressions import (
+    equal_expressions,
+    equivalent_equations,
+    is_equation,
+    name_of,
+    same_text,
+)
+from sim2reason.evaluation.benchmarks.scoring.parts.matching import paired
+from sim2reason.grading import number
+
+__all__ = ["HiPhO", "JEEBench", "OlympiadBench", "expected_parts"]
+
+TOLERANCE = 0.05
+
+
+class HiPhO(Scoring):
+    """By the points of each question of a problem; the last boxes are its answers, in order."""
+
+    def award(self, response: str, reference: Reference) -> Award:
+        """By the reference's `parts`, each with `answer`, `unit` and `points`."""
+        wanted = cast("list[Mapping[str, JsonValue]]", reference["parts"])
+        found = boxes(response)[-len(wanted) :]
+        if not found:
+            return Award.unreadable("there is no box")
+        if len(found) < len(wanted):
+            return Award(0.0, parsed=", ".join(found), why=f"{len(found)} boxes where {len(wanted)} are asked")
+        worth = [float(cast("float", part["points"])) for part in wanted]
+        good = [_right(part, said) for part, said in zip(wanted, found, strict=True)]
+        earned = sum(points for points, right in zip(worth, good, strict=True) if right) / sum(worth)
+        return Award(earned, parsed=", ".join(found), why=f"right: {sum(good)} of {len(good)}")
+
+
+def _right(part: Mapping[str, JsonValue], said: str) -> bool:
+    answer, unit = str(part["answer"]), unit_or_none(part.get("unit"))
+    if same_text(answer, said):
+        return True
+    if is_equation(answer):
+        return bool(equivalent_equations(answer, said))
+    value = read(answer, unit)
+    if value is not None:
+        return number(in_box(said), value, unit, tolerance=TOLERANCE).reward == 1.0
+    return bool(equal_expressions(answer, said))
+
+
+SCORINGS.add("hipho", HiPhO())
+
+
+WITHIN = Fraction(1, 100)
+QUARTER = 0.25
+JEEBENCH_ROUNDING = Fraction(1, 10**9)  # of numbers that were computed from fractions and roots, in floats
+ONE, SEVERAL, INTEGER, NUMERIC = "MCQ", "MCQ(multiple)", "Integer", "Numeric"
+TYPES = ONE, SEVERAL, INTEGER, NUMERIC
+
+
+class JEEBench(Scoring):
+    """By JEEBench's own rule: its four types of question, partial credit among them."""
+
+    def award(self, response: str, reference: Reference) -> Award:
+        """By the reference's `type` and `answer`."""
+        answer = str(reference["answer"])
+        if reference["type"] in {ONE, SEVERAL}:
+            return _options(response, frozenset(answer), partial=reference["type"] == SEVERAL)
+        return _number(response, answer, exact=reference["type"] == INTEGER)
+
+
+def _options(response: str, right: frozenset[str], *, partial: bool) -> Award:
+    found = boxes(response)
+    said = chosen(found[-1]) if found else said_without_box(response)
+    if said is None:
+        return Award.unreadable("no options in the box" if found else "no box and no answer in words")
+    named = "".join(sorted(said))
+    if said == right:
+        return Award(1.0, parsed=named)
+    if partial and said <= right:
+        return Award(QUARTER * len(said), parsed=named, why=f"{len(said)} of {len(right)} right options, none wrong")
+    return Award(0.0, parsed=named, why=f"the right options are {''.join(sorted(right))}")
+
+
+def _number(response: str, answer: str, *, exact: bool) -> Award:
+    found = boxes(response)
+    score = number(in_box(found[-1]) if found else response, float(answer), lenient=True)
+    if not isinstance(score.parsed, float):
+        return Award.unreadable(score.why)
+    # Decimals as they are written: in floats 0.76 is farther than 0.01 from 0.75.
+    said, right = Fraction(repr(score.parsed)), Fraction(answer)
+    good = abs(said - right) <= (JEEBENCH_ROUNDING * max(1, abs(right)) if exact else WITHIN + JEEBENCH_ROUNDING)
+    return Award.all_or_nothing(good, f"{score.parsed:g}", "" if good else f"the right number is {answer}")
+
+
+SCORINGS.add("jeebench", JEEBench())
+
+
+ERROR: Final = 1e-8
+LEEWAY: Final = 1.01  # of the error, as published
+SMALL: Final = 0.01  # of a number: the most that it may be off where its item says no error
+OLYMPIADBENCH_ROUNDING: Final = 1e-12  # relative, of floats
+MOST: Final = 12  # answers to one problem
+_PERCENT: Final = re.compile(r"%|(?<![A-Za-z])per ?cent", re.IGNORECASE)
+_CALLED: Final = re.compile(r"^[^=]*=\s*(?=[(\[])|^.*\\in(?![A-Za-z])\s*")
+_SIZE: Final = re.compile(r"\\(?:left|right)(?![A-Za-z])")
+_CUP: Final = re.compile(r"\\cup(?![A-Za-z])|∪")
+
+
+class _Expected(NamedTuple):
+    """One right answer."""
+
+    text: str
+    error: float | None
+    """Absolute; None where the item says none."""
+    unit: str | None
+    percent: bool
+    """Whether it is in per cent."""
+    alone: bool
+    """Whether it is the only one, so that its name tells nothing."""
+
+
+class OlympiadBench(Scoring):
+    """By OlympiadBench's own rule: numbers within an absolute error, everything else by equality."""
+
+    def award(self, response: str, reference: Reference) -> Award:
+        """By the reference's `answer`, `unit` and `error`, each a text as the file has it."""
+        right = expected_parts(reference)
+        found = boxes(response)
+        if not found:
+            return Award.unreadable("there is no box")
+        said = _said(found, len(right))
+        shown = ", ".join(said)
+        if len(said) != len(right):
+            return Award(0.0, parsed=shown, why=f"{len(said)} answers where {len(right)} are asked")
+        good = paired(right, said, _fits)
+        return Award.all_or_nothing(good, shown, "" if good else f"the answer is {reference['answer']}")
+
+
+def expected_parts(reference: Reference) -> list[_Expected]:
+    """Return the right answers, each with its own error and unit."""
+    answers = _signs(parts(str(reference["answer"])))
+    errors = _spread(reference.get("error"), len(answers))
+    units = _spread(reference.get("unit"), len(answers))
+    return [
+        _Expected(
+            text,
+            float(error) if error else None,
+            unit_or_none(unit),
+            percent=_PERCENT.search(f"{text} {unit}") is not None,
+            alone=len(answers) == 1,
+        )
+        for text, error, unit in zip(answers, errors, units, strict=True)
+    ]
+
+
+def _spread(text: object, count: int) -> list[str]:
+    """Return a list with commas, one entry for each answer; a single entry is meant for all."""
+    held = [part.strip() for part in text.split(",")] if isinstance(text, str) else [""]
+    return held if len(held) == count else held[:1] * count
+
+
+def _said(found: list[str], count: int) -> list[str]:
+    """Return what the last box says, or as many boxes as there are answers."""
+    last = _signs(parts(found[-1]))
+    apart = _signs(parts(found[-1], thousands=False))
+    several = _signs([part for content in found[-count:] for part in parts(content)])
+    return next((said for said in (last, apart, several) if len(said) == count), last[: MOST + 1])
+
+
+def _signs(answers: list[str]) -> list[str]:
+    """Return each answer with ± as two."""
+    return [text for answer in answers for text in _two(answer)]
+
+
+def _two(answer: str) -> tuple[str, ...]:
+    text = answer.replace("±", r"\pm")
+    return (text.replace(r"\pm", "+"), text.replace(r"\pm", "-")) if r"\pm" in text else (answer,)
+
+
+def _fits(right: _Expected, said: str) -> bool:
+    if same_text(right.text, said):
+        return True
+    ours, theirs = name_of(right.text), name_of(said)
+    if ours and theirs and not right.alone and not same_text(ours, theirs):
+        return False
+    one, other = (_CALLED.sub("", _SIZE.sub("", text)).strip() for text in (right.text, said))
+    if _is_list(one):
+        return _is_list(other) and _intervals(one, other, right)
+    if is_equation(right.text):
+        return bool(equivalent_equations(right.text, said))
+    value = read(right.text, right.unit)
+    return _near(right, value, said) if value is not None else bool(equal_expressions(right.text, said))
+
+
+def _near(right: _Expected, value: float, said: str) -> bool:
+    """Within the error. What is right in per cent is so as a share, too, within a hundredth of the error."""
+    found = read(said, right.unit, expected=value)
+    if found is None:
+        return False
+    if "%" in right.text:
+        value *= 100.0  # it was read as a share, and its error is in per cent
+    error = min(ERROR, SMALL * abs(value)) if right.error is None and value else right.error or 0.0
+    scales = (1.0, 100.0) if right.percent else (1.0,)
+    return any(abs(found * scale - value) <= LEEWAY * error + OLYMPIADBENCH_ROUNDING * abs(value) for scale in scales)
+
+
+def _is_list(text: str) -> bool:
+    """Return whether an answer is an interval, a union of them, or a tuple."""
+    return bool(text) and text[0] in "([" and text[-1] in ")]" and all(len(parts(p[1:-1])) > 1 for p in _pieces(text))
+
+
+def _pieces(text: str) -> list[str]:
+    return [piece.strip() for piece in _CUP.split(text) if piece.strip()]
+
+
+def _intervals(one: str, other: str, right: _Expected) -> bool:
+    """Return whether the brackets are the same, and the ends one by one."""
+    ours, theirs = _pieces(one), _pieces(other)
+    return len(ours) == len(theirs) and all(
+        (a[0], a[-1]) == (b[0], b[-1]) and _ends(parts(a[1:-1]), parts(b[1:-1]), right)
+        for a, b in zip(ours, theirs, strict=True)
+    )
+
+
+def _ends(ours: list[str], theirs: list[str], right: _Expected) -> bool:
+    return len(ours) == len(theirs) and all(_fits(right._replace(text=a), b) for a, b in zip(ours, theirs, strict=True))
+
+
+SCORINGS.add("olympiadbench", OlympiadBench())

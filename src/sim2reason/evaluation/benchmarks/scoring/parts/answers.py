@@ -1,0 +1,138 @@
+"""Answers in a response: boxes, letters of options, and numbers."""
+
+import re
+from typing import Final
+
+from sim2reason.grading import Outcome, number
+from sim2reason.grading.extract import MAX_ANSWER, closed_boxes, content, spoken
+from sim2reason.grading.hiding import fault_of_box
+from sim2reason.grading.number import unit_stated
+from sim2reason.grading.score import Refused
+from sim2reason.grading.unit_spelling import unit_in
+from sim2reason.scenes.dsl.units import Unit, UnitError, parse_unit
+
+__all__ = ["after_thinking", "agrees", "boxes", "chosen", "in_box", "parts", "read", "said_without_box", "unit_or_none"]
+
+MOST: Final = 64  # boxes that are looked at, the last ones
+_AND: Final = re.compile(r"\\text\s*\{\s*and\s*\}|(?<![A-Za-z\\])and(?![A-Za-z])|\\quad|\\qquad")
+_BLANK: Final = re.compile(r"(?<!\\)\\[,;: ]|\$")
+_THOUSANDS: Final = re.compile(r"(?<=\d)(?:,|\{,\})(?=\d{3}(?!\d))")
+OPENS, CLOSES = "([{", ")]}"
+
+
+def after_thinking(response: str) -> str:
+    """Return what is said after the thinking; empty if that never ends or the response is far too long."""
+    try:
+        return spoken(response)
+    except Refused:
+        return ""
+
+
+def boxes(response: str) -> list[str]:
+    """Return the contents of all outermost boxes after the thinking, in order; none is longer than 1000 characters.
+
+    Those that print hides or words deny are left out.
+    """
+    text = after_thinking(response)
+    spans: list[tuple[int, int]] = []
+    for begin, end in closed_boxes(text):
+        while spans and spans[-1][0] > begin:  # boxes within this one
+            spans.pop()
+        spans.append((begin, end))
+    found = (content(text, span) for span in spans[-MOST:] if not fault_of_box(text, *span))
+    return [answer for answer in found if answer.strip() and len(answer) <= MAX_ANSWER]
+
+
+def in_box(answer: str) -> str:
+    """Return a response that has nothing but this answer."""
+    return rf"\boxed{{{answer}}}"
+
+
+def parts(answer: str, *, thousands: bool = True) -> list[str]:
+    """Return what stands between commas, semicolons or *and* outside all brackets, without dollars.
+
+    With `thousands` a comma before three digits belongs to a number.
+    """
+    text = _AND.sub(",", _BLANK.sub(" ", answer))
+    text = _THOUSANDS.sub("", text) if thousands else text
+    found, depth, start = list[str](), 0, 0
+    for place, sign in enumerate(text):
+        depth += (sign in OPENS) - (sign in CLOSES)
+        if sign in ",;" and depth <= 0:
+            found.append(text[start:place])
+            start = place + 1
+    found.append(text[start:])
+    return [part.strip().rstrip(".") for part in found if part.strip(" .")]
+
+
+LAST: Final = 1000  # characters in which an answer without a box must stand
+_DRESS: Final = re.compile(
+    r"\\(?:text|textbf|textrm|mathrm|mathbf|bf|rm|boldsymbol|mathsf)(?![A-Za-z])|\\[,;: &]|[{}$*~]"
+)
+_WORDS: Final = re.compile(r"\b(?:and|only|options?|answers?|choices?|is|are|the|correct)\b|&", re.IGNORECASE)
+_LETTERS: Final = re.compile(r"[\s(),;./\[\]|]*([A-D](?:[\s(),;./\[\]|]*[A-D])*)[\s(),;./\[\]|:]*")
+_LABELLED: Final = re.compile(r"\s*(?:\(([A-D])\)|([A-D])[).:])\s*\S.*", re.DOTALL)
+_LABEL: Final = re.compile(r"\([A-D]\)|(?<![A-Za-z])[A-D][).:]")
+_NONE: Final = re.compile(r"\s*none(?: of (?:the|these)(?: above| options)?)?\s*", re.IGNORECASE)
+_SAID: Final = re.compile(
+    r"(?:[Aa]nswers?|[Oo]ptions?|[Cc]hoices?)\b[^A-Za-z\n]{0,4}(?:(?:is|are|would be|must be)\b)?"
+    r"[\s:*]{0,6}(?:options?\b)?[\s:*]{0,4}"
+    r"((?:[(\[]?[A-D][)\]]?(?![a-z])(?:\s*(?:,|and|&)?\s*(?=[(\[]?[A-D][)\]]?(?![a-z])))?)+)"
+)
+
+
+def chosen(content: str) -> frozenset[str] | None:
+    """The options that an answer names, such as ``A``, ``(A), (C)``, ``ABD`` or ``B) 6.4 J``; None if it is no such.
+
+    *None* and *none of these* name no option.
+    """
+    if _NONE.fullmatch(content):
+        return frozenset()
+    plain = _DRESS.sub(" ", content)
+    match = _LETTERS.fullmatch(_WORDS.sub(" ", plain))
+    if match is not None:
+        return frozenset(re.findall("[A-D]", match[1]))
+    match = _LABELLED.fullmatch(plain)
+    if match is not None and len(_LABEL.findall(plain)) == 1:
+        return frozenset(match[1] or match[2])
+    return None
+
+
+def said_without_box(response: str) -> frozenset[str] | None:
+    """Return the options of the last *answer is …* near the end of a response; None if there is none."""
+    *_, last = [None, *_SAID.finditer(after_thinking(response)[-LAST:])]
+    return None if last is None else frozenset(re.findall("[A-D]", last[1]))
+
+
+def read(content: str, unit: str | Unit | None = None, *, expected: float = 1.0) -> float | None:
+    """The one number that an answer says, in `unit` where that is known; None if it says none, or in no such unit.
+
+    `expected` decides how a direction without a sign is read.
+    """
+    found = number(in_box(content), expected, unit)
+    return (
+        found.parsed if found.outcome in {Outcome.CORRECT, Outcome.WRONG} and isinstance(found.parsed, float) else None
+    )
+
+
+def agrees(right: str, said: str, tolerance: float) -> bool | None:
+    """Return whether two answers give the same number, within a tolerance relative to the right answer.
+
+    None where the right answer is no number. Its unit holds for both; without a unit, the other's unit is ignored.
+    """
+    stated = unit_stated(right)
+    unit = stated if stated is not None and any(stated.dimension) else None
+    value, other = read(right, unit), read(said, unit)
+    if value is None:
+        return None
+    return other is not None and abs(other - value) <= tolerance * abs(value)
+
+
+def unit_or_none(text: object) -> str | None:
+    """Return the name of a unit of our table; None for one that it does not hold, and where none is said."""
+    if not isinstance(text, str) or not text.strip(" $"):
+        return None
+    try:
+        return parse_unit(unit_in(text.strip(" $"), None).name).name
+    except UnitError:
+        return None

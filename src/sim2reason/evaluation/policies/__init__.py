@@ -1,0 +1,158 @@
+"""Policies: models that answer prompts, behind an address or in this process. One file each.
+
+SampleRequest (prompt, seed) ── Policy.complete ↦ Completion ── samples.journal ── scores
+"""
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Annotated, ClassVar, Literal
+
+from annotated_types import Ge, Gt, Le
+from pydantic import BaseModel, ConfigDict, Field, FiniteFloat
+
+from sim2reason.base.registry import Registry
+from sim2reason.base.settings import of_kind
+from sim2reason.errors import PolicyError
+from sim2reason.grading import opened
+
+__all__ = ["POLICIES", "Completion", "Finish", "Limits", "Name", "Policy", "SampleRequest", "Sampling", "policy_from"]
+
+Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]{0,79}$")]
+"""What may be the name of a file, too: letters, digits, dots, dashes and underscores."""
+
+Finish = Literal["stop", "length", "refused", "overflow", "unknown"]
+"""Why a text ends: the model stopped, its tokens were used up, it or a content filter refused, the prompt is longer
+than its context, or nobody says."""
+
+
+class _Settings(BaseModel):
+    """What all settings share: frozen, strict about names."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+
+class Sampling(_Settings):
+    """How a model draws its tokens. What is None is not sent, and left to the model."""
+
+    temperature: Annotated[FiniteFloat, Ge(0.0), Le(10.0)] | None = 1.0
+    """Zero takes the most likely token."""
+    top_p: Annotated[FiniteFloat, Gt(0.0), Le(1.0)] | None = None
+    max_tokens: Annotated[int, Ge(1), Le(10_000_000)] = 4096
+    """Of a response, with its thinking."""
+
+
+class Limits(_Settings):
+    """What a policy may use up in a run, all resumptions together. None: without limit."""
+
+    tokens: Annotated[int, Ge(1)] | None = None
+    """Of prompts and responses."""
+    cost: Annotated[FiniteFloat, Gt(0.0)] | None = None
+    """In the currency of the prices."""
+    price_in: Annotated[FiniteFloat, Ge(0.0)] = 0.0
+    """Of a million tokens of prompts."""
+    price_out: Annotated[FiniteFloat, Ge(0.0)] = 0.0
+    """Of a million tokens of responses."""
+
+
+@dataclass(frozen=True, slots=True)
+class SampleRequest:
+    """One response that is wanted: the `sample`-th to the prompt of the problem `id`."""
+
+    id: str
+    sample: int
+    prompt: str
+    seed: int
+    """From 0 to 2³¹ - 1."""
+
+
+class Completion(BaseModel):
+    """What a policy said, as a journal keeps it."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    text: str
+    finish: Finish = "unknown"
+    thinking: str = ""
+    """Where the endpoint gives it apart from the text."""
+    prompt_tokens: int | None = None
+    completion_tokens: int | None = None
+    """With the thinking. None where nobody counted."""
+    thinking_opened: bool = False
+    """Whether the text begins within the thinking, which the prompt opened."""
+
+    @property
+    def whole(self) -> str:
+        """The response as a grader reads it: the thinking in its tags, then the text."""
+        if not self.thinking:
+            return str(opened(self.text)) if self.thinking_opened else self.text
+        return f"<think>{self.thinking}</think>{self.text}" if self.text else f"<think>{self.thinking}"
+
+
+class Policy(_Settings, ABC):
+    """A model with its settings; each subclass is a kind that a configuration names.
+
+    `complete` is called from several threads at once, if `in_flight` is more than one.
+    """
+
+    name: Name
+    """By which reports call it."""
+    sampling: Sampling = Sampling()
+    limits: Limits = Limits()
+    thinking_opened: bool = False
+    """Whether its chat template ends within the thinking, so that a text without the end of it has no answer."""
+    step: Annotated[int, Ge(0)] | None = None
+    """After how many steps of training this model was saved, for plots over training."""
+
+    operational: ClassVar[frozenset[str]] = frozenset({"limits", "step"})
+    """Settings that change no answer, and so may change while a run is not finished."""
+
+    @property
+    def in_flight(self) -> int:
+        """Return how many calls of `complete` may run at once."""
+        return 1
+
+    @property
+    def batch(self) -> int:
+        """Return how many requests one call of `complete` takes."""
+        return 1
+
+    def check(self) -> None:
+        """Look whether it can be asked, before a run is begun with it.
+
+        Raises:
+            PolicyError: there is no such model, device or key.
+            MissingExtraError: a library that it needs.
+        """
+
+    @abstractmethod
+    def complete(self, requests: Sequence[SampleRequest]) -> Sequence[Completion]:
+        """Return a completion for each request, in their order.
+
+        Raises:
+            NoAnswerError: these requests got no answer; others may.
+            PolicyError: no request will get one.
+        """
+
+    @property
+    def settings(self) -> dict[str, object]:
+        """Return what is worth writing down; never a key."""
+        return self.model_dump(mode="json")
+
+    @property
+    def decisive(self) -> dict[str, object]:
+        """Return what decides the answers."""
+        return {name: value for name, value in self.settings.items() if name not in self.operational}
+
+
+POLICIES: Registry[type[Policy]] = Registry("policies", package="sim2reason.evaluation.policies")
+
+
+def policy_from(settings: Mapping[str, object], place: str = "policy") -> Policy:
+    """Return the policy that settings describe; its `kind` is a registered name.
+
+    Raises:
+        PolicyError: a setting that is unknown, missing or makes no sense.
+        UnknownNameError: no such kind.
+    """
+    return of_kind(POLICIES, settings, place, PolicyError)

@@ -1,0 +1,214 @@
+"""A model of the transformers library, in this process. Needs the packages of the extra ``train``."""
+
+# transformers and torch are an extra, and are spoken to in this module alone:
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
+
+from collections.abc import Sequence
+from contextlib import AbstractContextManager
+from typing import Annotated, Any, ClassVar, Literal, NamedTuple
+
+from annotated_types import Ge, Le
+
+from sim2reason.base.lazy import cached_property
+from sim2reason.base.optional import optional
+from sim2reason.errors import PolicyError
+from sim2reason.evaluation.policies import POLICIES, Completion, Finish, Policy, SampleRequest
+from sim2reason.evaluation.policies.parts.decoding import Decoder
+from sim2reason.evaluation.policies.parts.hub import explained, loading, quiet
+
+__all__ = ["LocalModel"]
+
+AHEAD = 2**24  # random numbers that are drawn together
+WISHES = {
+    "bad_words_ids": None,
+    "begin_suppress_tokens": None,
+    "encoder_no_repeat_ngram_size": 0,
+    "encoder_repetition_penalty": 1.0,
+    "exponential_decay_length_penalty": None,
+    "forced_bos_token_id": None,
+    "forced_eos_token_id": None,
+    "guidance_scale": 1.0,
+    "min_length": 0,
+    "min_new_tokens": 0,
+    "no_repeat_ngram_size": 0,
+    "repetition_penalty": 1.0,
+    "sequence_bias": None,
+    "suppress_tokens": None,
+}  # by which a model's own configuration may change logits, with the values that do not
+TINY = 1e-20  # the least uniform number, whose logarithm is finite in single precision
+
+
+class _Loaded(NamedTuple):
+    torch: Any
+    transformers: Any
+    model: Any
+    tokenizer: Any
+    decoder: Decoder | None
+
+
+@POLICIES.register("transformers")
+class LocalModel(Policy):
+    """A model of the transformers library, by its name or folder, in this process."""
+
+    model: str
+    revision: str | None = None
+    device: str = "auto"
+    """``cpu``, ``cuda``, ``cuda:1`` and so on; by default a GPU if there is one."""
+    precision: Literal["auto", "float32", "bfloat16", "float16"] = "auto"
+    batch_size: Annotated[int, Ge(1), Le(4096)] = 8
+    cuda_graphs: bool = False
+    """Whether a batch has a cache of fixed size, and each token on a GPU is the replay of one recorded pass: faster for
+    small models, for the memory of a whole batch's longest answers."""
+    system: str = ""
+    """A message before the prompt."""
+    chat: bool = True
+    """Whether prompts are put into the tokenizer's chat template, if it has one."""
+
+    operational: ClassVar[frozenset[str]] = Policy.operational | {"batch_size", "cuda_graphs", "device"}
+
+    @property
+    def batch(self) -> int:
+        """As many as `batch_size`."""
+        return self.batch_size
+
+    @cached_property
+    def _loaded(self) -> _Loaded:
+        torch, transformers = optional("torch", "train"), optional("transformers", "train")
+        device = self._device(torch)
+        with self._explained(), quiet():
+            source = self._source
+            tokenizer = transformers.AutoTokenizer.from_pretrained(self.model, padding_side="left", **source)
+            model = transformers.AutoModelForCausalLM.from_pretrained(self.model, dtype=self.precision, **source)
+        if tokenizer.pad_token_id is None:
+            tokenizer.pad_token = tokenizer.eos_token
+        try:
+            model = model.to(device).eval()
+        except RuntimeError as error:  # it has not the memory, say
+            why = " ".join(str(error).split())[:200]
+            raise PolicyError(f"policy {self.name!r}: the model can't be moved to {device}: {why}") from None
+        return _Loaded(torch, transformers, model, tokenizer, self._decoder(model))
+
+    def _decoder(self, model: Any) -> Decoder | None:  # noqa: ANN401 - of transformers
+        """PolicyError where it would give other answers than transformers' own loop."""
+        if not self.cuda_graphs:
+            return None
+        asked = {name: getattr(model.generation_config, name, None) for name in WISHES}
+        if found := [name for name, value in asked.items() if value not in (None, WISHES[name])]:
+            raise PolicyError(
+                f"policy {self.name!r}: cuda_graphs: the model asks for {found[0]}; leave cuda_graphs out"
+            )
+        return Decoder(model)
+
+    def check(self) -> None:
+        """Look for the libraries, the device and the model's configuration."""
+        torch, transformers = optional("torch", "train"), optional("transformers", "train")
+        self._device(torch)
+        with self._explained(), quiet():
+            transformers.AutoConfig.from_pretrained(self.model, **self._source)
+
+    @property
+    def _source(self) -> dict[str, Any]:
+        return loading(self.model, self.revision)
+
+    def _explained(self) -> AbstractContextManager[None]:
+        return explained(self.model, lambda why: PolicyError(f"policy {self.name!r}: {why}"))
+
+    def _device(self, torch: Any) -> str:  # noqa: ANN401 - a module of an extra
+        """Return where the model is put; PolicyError, which lists what there is, if there is no such device."""
+        kind = str(torch.accelerator.current_accelerator().type) if torch.accelerator.is_available() else ""
+        count = torch.accelerator.device_count() if kind else 0
+        there = ["cpu", *([kind] if kind else []), *(f"{kind}:{number}" for number in range(count))]
+        if self.device == "auto":
+            return "cuda" if "cuda" in there else "cpu"
+        if self.device not in there:
+            known = ", ".join(there)
+            raise PolicyError(f"policy {self.name!r}: there is no device {self.device!r}; there are: {known}")
+        return self.device
+
+    def complete(self, requests: Sequence[SampleRequest]) -> Sequence[Completion]:
+        """All at once. Each draws from a generator of its own: an answer hangs on its seed, not on the others."""
+        tokenizer, device = self._loaded.tokenizer, self._loaded.model.device
+        given = tokenizer([self._spoken(request.prompt) for request in requests], return_tensors="pt", padding=True)
+        ids, mask = given["input_ids"].to(device), given["attention_mask"].to(device)
+        processors = self._processors([request.seed for request in requests])
+        decoder = self._loaded.decoder
+        rows = (
+            self._generated(ids, mask, processors) if decoder is None else self._decoded(decoder, ids, mask, processors)
+        )
+        ends, lengths = self._ends(), mask.sum(dim=1).tolist()
+        return [self._completion(row, length, ends) for row, length in zip(rows.tolist(), lengths, strict=True)]
+
+    def _generated(self, ids: Any, mask: Any, processors: list[Any]) -> Any:  # noqa: ANN401 - tensors
+        """Tokens behind the prompts, by transformers' own loop."""
+        torch, _, model, tokenizer, _ = self._loaded
+        with torch.inference_mode():
+            rows = model.generate(
+                input_ids=ids,
+                attention_mask=mask,
+                do_sample=False,
+                temperature=None,
+                top_p=None,
+                top_k=None,
+                max_new_tokens=self.sampling.max_tokens,
+                logits_processor=processors,
+                pad_token_id=tokenizer.pad_token_id,
+            )
+        return rows[:, ids.shape[1] :]
+
+    def _decoded(self, decoder: Decoder, ids: Any, mask: Any, processors: list[Any]) -> Any:  # noqa: ANN401 - tensors
+        """Return the same with a cache of fixed size."""
+
+        def choose(logits: Any) -> Any:  # noqa: ANN401 - tensors
+            for processor in processors:
+                logits = processor(ids, logits)
+            return logits.argmax(dim=1)
+
+        return decoder(ids, mask, self.sampling.max_tokens, choose, self._ends())
+
+    def _spoken(self, prompt: str) -> str:
+        """Return what the model reads."""
+        tokenizer = self._loaded.tokenizer
+        if not (self.chat and tokenizer.chat_template):
+            return f"{self.system}\n\n{prompt}" if self.system else prompt
+        system = [{"role": "system", "content": self.system}] if self.system else []
+        messages = [*system, {"role": "user", "content": prompt}]
+        return tokenizer.apply_chat_template(messages, tokenize=False, add_generation_prompt=True)
+
+    def _processors(self, seeds: Sequence[int]) -> list[Any]:
+        """Temperature, nucleus and noise: the largest of logits with Gumbel noise is a draw from their softmax.
+
+        Gumbel, Statistical theory of extreme values (1954); so a greedy search samples, each row by its own seed.
+        """
+        temperature = 1.0 if self.sampling.temperature is None else self.sampling.temperature
+        if temperature == 0.0:
+            return []
+        torch, transformers, model, _, _ = self._loaded
+        found: list[Any] = [transformers.TemperatureLogitsWarper(temperature)] if temperature != 1.0 else []
+        if self.sampling.top_p is not None:
+            found.append(transformers.TopPLogitsWarper(self.sampling.top_p))
+        generators = [torch.Generator(device=model.device).manual_seed(seed) for seed in seeds]
+        ahead: list[Any] = []  # noise of the next tokens: one call for each row draws that of several
+
+        def noise(_: Any, scores: Any) -> Any:  # noqa: ANN401 - tensors
+            if not ahead:
+                shape = max(1, min(AHEAD // scores.numel(), self.sampling.max_tokens)), scores.shape[1]
+                drawn = [torch.rand(shape, generator=each, device=scores.device) for each in generators]
+                ahead.extend(reversed(torch.stack(drawn, dim=1)))
+            return scores.float() - torch.log(-torch.log(ahead.pop().clamp(TINY, 1.0 - 1e-7)))
+
+        return [*found, noise]
+
+    def _ends(self) -> set[int]:
+        """Return the tokens that end a text."""
+        held = self._loaded.model.generation_config.eos_token_id
+        own = self._loaded.tokenizer.eos_token_id
+        return {*(held if isinstance(held, list) else [held]), own} - {None}
+
+    def _completion(self, tokens: list[int], prompt_tokens: int, ends: set[int]) -> Completion:
+        """Return a row up to the token that ends it."""
+        end = next((place for place, token in enumerate(tokens) if token in ends), None)
+        finish: Finish = "length" if end is None else "stop"
+        held = tokens if end is None else tokens[:end]
+        text = self._loaded.tokenizer.decode(held, skip_special_tokens=True)
+        count = len(held) + (end is not None)
+        return Completion(text=text, finish=finish, prompt_tokens=int(prompt_tokens), completion_tokens=count)

@@ -1,0 +1,142 @@
+"""Ask a policy for samples, several at once; each is in the journal as soon as it is finished."""
+
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import FIRST_COMPLETED, Future, wait
+from dataclasses import dataclass, field
+from hashlib import blake2b
+from itertools import islice
+from threading import Thread
+
+from sim2reason.errors import PolicyError
+from sim2reason.evaluation.policies import Policy, SampleRequest
+from sim2reason.evaluation.policies.samples import NoAnswerError
+from sim2reason.evaluation.policies.samples.budget import Budget
+from sim2reason.evaluation.policies.samples.journal import SampleJournal
+
+__all__ = ["Asked", "ask", "requests_for", "sample_seed"]
+
+IN_A_ROW = 8  # requests without an answer, after which the endpoint is taken to be down
+
+
+@dataclass
+class Asked:
+    """What became of the requests of one run."""
+
+    finished_before: int = 0
+    finished_now: int = 0
+    open: list[str] = field(default_factory=list[str])
+    """Why a request got no answer, for each one that did not."""
+
+
+def sample_seed(seed: int, name: str, sample: int) -> int:
+    """Return a seed of its own for each sample of each problem: the same in every run, from 0 to 2³¹ - 1."""
+    digest = blake2b(f"{seed}\0{name}\0{sample}".encode(errors="replace"), digest_size=4, person=b"sample").digest()
+    return int.from_bytes(digest, "big") >> 1
+
+
+def requests_for(prompts: Iterable[tuple[str, str]], samples: int, seed: int) -> Iterator[SampleRequest]:
+    """`samples` requests for each pair of an id and a prompt: first one of each, then the second of each.
+
+    So a run that is broken off has asked about as many problems as it could.
+    """
+    pairs = list(prompts)
+    for sample in range(samples):
+        for name, prompt in pairs:
+            yield SampleRequest(name, sample, prompt, sample_seed(seed, name, sample))
+
+
+def ask(
+    policy: Policy,
+    requests: Iterable[SampleRequest],
+    journal: SampleJournal,
+    *,
+    budget: Budget | None = None,
+    advance: Callable[[int], object] = lambda _: None,
+) -> Asked:
+    """Ask for whatever the journal does not hold. `advance` is told how many more are finished.
+
+    `budget` is that of several journals, already charged for what they hold; by default one for this journal alone.
+
+    Raises:
+        PolicyError: the policy cannot be asked, or its limit is reached; all that was finished stays in the journal.
+        EvaluationError: the journal holds answers to other prompts.
+    """
+    wanted = list(requests)
+    missing = [request for request in wanted if not journal.holds(request)]
+    asked = Asked(finished_before=len(wanted) - len(missing))
+    advance(asked.finished_before)
+    if budget is None:
+        budget = Budget(policy)
+        budget.charge_finished(journal.path, wanted)
+    held = budget
+    source = iter(missing)
+    batches = iter(lambda: list(islice(source, policy.batch)), [])
+    _run(policy.in_flight, batches, lambda batch: _one(policy, batch, journal, held), asked, advance)
+    return asked
+
+
+def _run(
+    width: int,
+    batches: Iterator[list[SampleRequest]],
+    work: Callable[[list[SampleRequest]], int],
+    asked: Asked,
+    advance: Callable[[int], object],
+) -> None:
+    """Keep `width` batches in flight; stop at the first error that others would meet too.
+
+    What is in flight then is waited for, since it is paid for; not so when a person interrupts.
+    """
+    running: set[Future[int]] = set()
+    row = 0
+    while True:
+        running |= {_begun(work, batch) for batch in islice(batches, width - len(running))}
+        if not running:
+            return
+        done, running = wait(running, return_when=FIRST_COMPLETED)
+        for future in done:
+            error = future.exception()
+            if isinstance(error, NoAnswerError):
+                asked.open.append(str(error))
+                row += 1
+                if row >= IN_A_ROW:
+                    wait(running)
+                    raise PolicyError(f"{error}; {row} requests in a row went so; try again later")
+            elif error is not None:
+                wait(running)
+                raise error
+            else:
+                row = 0
+                asked.finished_now += future.result()
+                advance(future.result())
+
+
+def _begun(work: Callable[[list[SampleRequest]], int], batch: list[SampleRequest]) -> Future[int]:
+    """Work on a batch in a thread of its own, which no interrupted program waits for."""
+    future: Future[int] = Future()
+
+    def fulfil() -> None:
+        try:
+            future.set_result(work(batch))
+        except BaseException as error:  # noqa: BLE001 - it is raised where the result is wanted
+            future.set_exception(error)
+
+    Thread(target=fulfil, daemon=True).start()
+    return future
+
+
+def _one(policy: Policy, batch: list[SampleRequest], journal: SampleJournal, budget: Budget) -> int:
+    """Ask for one batch and write it down; how many that were."""
+    most = [budget.most(request) for request in batch]
+    total = sum(tokens for tokens, _ in most), sum(cost for _, cost in most)
+    budget.reserve(total)
+    used = 0, 0.0
+    try:
+        completions = policy.complete(batch)
+        for request, completion, limit in zip(batch, completions, most, strict=True):
+            said = completion.model_copy(update={"thinking_opened": True}) if policy.thinking_opened else completion
+            journal.add(request, said)
+            tokens, cost = budget.used(completion, limit)
+            used = used[0] + tokens, used[1] + cost
+    finally:
+        budget.settle(total, used)
+    return len(batch)

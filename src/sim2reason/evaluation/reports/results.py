@@ -1,0 +1,272 @@
+"""Results of a run: shares with intervals, means over samples, pass@k, and rank correlation."""
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from math import atanh, comb, sqrt, tanh
+from typing import Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import BaseModel, ConfigDict
+
+from sim2reason.evaluation.benchmarks import BenchmarkItem
+from sim2reason.evaluation.benchmarks.runs.folder import RunFolder
+from sim2reason.evaluation.benchmarks.runs.outcomes import Ending, SampleOutcome
+
+__all__ = [
+    "Estimate",
+    "Group",
+    "Result",
+    "RunReport",
+    "Share",
+    "difference",
+    "mean_of_items",
+    "pass_at",
+    "points_by_item",
+    "rank_correlation",
+    "result",
+    "wilson",
+]
+
+LEVEL: Final = 0.95
+NORMAL: Final = 1.959963984540054  # the quantile of the normal distribution for that level, both sides
+RESAMPLES: Final = 4000
+SEED: Final = 20_260  # of the resampling: the same data give the same interval
+BLOCK: Final = 2**22  # numbers that are drawn at once
+
+Floats = NDArray[np.float64]
+
+
+class Estimate(NamedTuple):
+    """A number with the ends of its 95 % interval, and how that was found."""
+
+    value: float
+    low: float
+    high: float
+    method: str
+
+    @property
+    def shown(self) -> str:
+        """In per cent, for people."""
+        return f"{100 * self.value:.1f} [{100 * self.low:.1f}, {100 * self.high:.1f}]"
+
+
+def wilson(right: int, total: int) -> Estimate:
+    """Return a share of independent trials, with the score interval of Wilson (1927).
+
+    ValueError for no trials, or for more right ones than there are.
+    """
+    if total <= 0 or not 0 <= right <= total:
+        raise ValueError("a share needs trials, and no more right ones than those")
+    share, z2 = right / total, NORMAL**2
+    middle = (share + z2 / (2 * total)) / (1 + z2 / total)
+    half = NORMAL * sqrt(share * (1 - share) / total + z2 / (4 * total**2)) / (1 + z2 / total)
+    # The ends at no and at all right are 0 and 1; rounding may miss them.
+    low = 0.0 if right == 0 else middle - half
+    high = 1.0 if right == total else middle + half
+    return Estimate(share, low, high, "wilson")
+
+
+def _resampled(values: Floats) -> Floats:
+    """Means of as many values, drawn from them with repetition (Efron, 1979)."""
+    draws = np.random.default_rng(SEED)
+    count, means = len(values), list[Floats]()
+    rows = max(1, min(RESAMPLES, BLOCK // count))
+    left = RESAMPLES
+    while left > 0:
+        places = draws.integers(0, count, size=(min(rows, left), count))
+        means.append(values[places].mean(axis=1))
+        left -= rows
+    return np.concatenate(means)
+
+
+def _interval(values: Floats, least: float) -> Estimate:
+    """Return the mean of values from `least` to 1, with the ends of its interval.
+
+    Where all values are alike a bootstrap sees no spread; then the ends are as far as Wilson's are from none of n.
+    """
+    mean = float(values.mean())
+    if np.ptp(values) == 0.0:
+        reach = wilson(0, len(values)).high
+        return Estimate(mean, max(least, mean - reach), min(1.0, mean + reach), "score")
+    low, high = np.quantile(_resampled(values), [(1 - LEVEL) / 2, (1 + LEVEL) / 2])
+    return Estimate(mean, float(low), float(high), "bootstrap")
+
+
+def mean_of_items(points: Sequence[Sequence[float]]) -> Estimate:
+    """mean@k: the mean over items of their mean points, each with its own samples.
+
+    Items are the trials. With one sample each, right or wrong, the interval is Wilson's; else it is a bootstrap over
+    items.
+    """
+    means = np.array([sum(held) / len(held) for held in points], dtype=np.float64)
+    if all(len(held) == 1 and held[0] in {0.0, 1.0} for held in points):
+        return wilson(int(means.sum()), len(means))
+    return _interval(means, 0.0)
+
+
+def pass_at(points: Sequence[Sequence[float]], k: int) -> float | None:
+    """pass@k: the chance that of k samples of an item one is wholly right, without bias; None where items have fewer.
+
+    1 - C(n - c, k)/C(n, k) for c right ones of n: Chen et al., *Evaluating Large Language Models Trained on Code*
+    (2021).
+    """
+    if any(len(held) < k for held in points):
+        return None
+    right = ((len(held), sum(point >= 1.0 for point in held)) for held in points)
+    return sum(1.0 - comb(n - c, k) / comb(n, k) for n, c in right) / len(points)
+
+
+def difference(mine: Sequence[float], theirs: Sequence[float]) -> Estimate:
+    """The mean of `theirs` less that of `mine`, item by item, with a bootstrap over items (a ValueError for none)."""
+    if len(mine) != len(theirs) or not mine:
+        raise ValueError("a paired difference needs the same items, and at least one")
+    values = np.array(theirs, dtype=np.float64) - np.array(mine, dtype=np.float64)
+    return _interval(values, -1.0)
+
+
+def _ranks(values: Floats) -> Floats:
+    """Ranks from 1 on, equal values sharing their mean rank."""
+    _, place, counts = np.unique(values, return_inverse=True, return_counts=True)
+    last = np.cumsum(counts)
+    return ((last - counts + 1 + last) / 2.0)[place]
+
+
+def rank_correlation(x: Sequence[float], y: Sequence[float]) -> Estimate | None:
+    """Spearman's ρ with the interval of Bonett and Wright (2000): Fisher's z with variance (1 + ρ²/2)/(n - 3).
+
+    None for fewer than three pairs, or where one side has no two values; with three, the interval is all of [-1, 1].
+    At ρ = ±1, where z is infinite, the inner end is that of the next ρ, with two neighbours exchanged.
+    """
+    count = len(x)
+    if count != len(y) or count < 3 or len(set(x)) < 2 or len(set(y)) < 2:
+        return None
+    one, other = (_ranks(np.array(values, dtype=np.float64)) for values in (x, y))
+    rho = max(-1.0, min(1.0, float(np.corrcoef(one, other)[0, 1])))
+    if count == 3:
+        return Estimate(rho, -1.0, 1.0, "none")
+    next_to = 1.0 - 12.0 / (count * (count**2 - 1))
+    held = max(-next_to, min(next_to, rho))
+    half = NORMAL * sqrt((1 + held**2 / 2) / (count - 3))
+    low, high = tanh(atanh(held) - half), tanh(atanh(held) + half)
+    return Estimate(rho, -1.0 if rho < -next_to else low, 1.0 if rho > next_to else high, "bonett-wright")
+
+
+MOST_GROUPS = 200  # values of one tag; more are no groups
+PASSES = 1, 2, 4, 8, 16, 32, 64, 128
+
+
+class _Record(BaseModel):
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+
+class Share(_Record):
+    """A mean of points with its 95 % interval."""
+
+    value: float
+    low: float
+    high: float
+    method: str
+
+    @classmethod
+    def of(cls, estimate: Estimate) -> "Share":
+        """Return the same, to be written down."""
+        return cls(**estimate._asdict())
+
+    @property
+    def shown(self) -> str:
+        """In per cent, for people."""
+        return Estimate(self.value, self.low, self.high, self.method).shown
+
+
+class Group(_Record):
+    """The problems that have one value of a tag. A problem may be in several, as one with two entities is."""
+
+    items: int
+    accuracy: Share
+
+
+class Result(_Record):
+    """A policy on a benchmark."""
+
+    policy: str
+    benchmark: str
+    items: int
+    """Problems with at least one answer."""
+    samples: int
+    """Wanted of each problem."""
+    responses: int
+    missing: int
+    """Samples that are wanted and not there."""
+    accuracy: Share
+    """mean@k, where each problem counts alike."""
+    pass_at: dict[int, float]
+    endings: dict[Ending, int]
+    tokens: float | None
+    """The mean of responses, with their thinking; None if nobody counted."""
+    characters: float
+    """The same."""
+    judged: int
+    """Samples on which a judge ruled."""
+    groups: dict[str, dict[str, Group]]
+    """By tag, then by its value."""
+
+
+class RunReport(_Record):
+    """All of ``report.json``."""
+
+    run: dict[str, object]
+    """The run's record: seeds, settings, hashes of the data."""
+    results: tuple[Result, ...]
+    pictures: tuple[str, ...] = ()
+
+
+def points_by_item(outcomes: Iterable[SampleOutcome]) -> dict[str, list[float]]:
+    """Return the points of each problem's samples."""
+    found: dict[str, list[float]] = {}
+    for outcome in outcomes:
+        found.setdefault(outcome.id, []).append(outcome.points)
+    return found
+
+
+def result(folder: RunFolder, policy: str, benchmark: str, outcomes: Sequence[SampleOutcome]) -> Result | None:
+    """Return the result of a policy on a benchmark; None if there is no answer yet."""
+    if not outcomes:
+        return None
+    plan, points = folder.record.benchmarks[benchmark], points_by_item(outcomes)
+    tokens = [outcome.tokens for outcome in outcomes if outcome.tokens is not None]
+    endings = Counter(outcome.ending for outcome in outcomes)
+    held = list(points.values())
+    passes = {k: share for k in PASSES if k <= plan.samples and (share := pass_at(held, k)) is not None}
+    return Result(
+        policy=policy,
+        benchmark=benchmark,
+        items=len(points),
+        samples=plan.samples,
+        responses=len(outcomes),
+        missing=plan.items * plan.samples - len(outcomes),
+        accuracy=Share.of(mean_of_items(held)),
+        pass_at=passes,
+        endings={ending: endings[ending] for ending in Ending},
+        tokens=sum(tokens) / len(tokens) if tokens else None,
+        characters=sum(outcome.characters for outcome in outcomes) / len(outcomes),
+        judged=sum(outcome.judged for outcome in outcomes),
+        groups=_groups(folder.items(benchmark), points),
+    )
+
+
+def _groups(items: Iterable[BenchmarkItem], points: Mapping[str, list[float]]) -> dict[str, dict[str, Group]]:
+    sorted_out: dict[str, dict[str, list[list[float]]]] = {}
+    for item in items:
+        if item.id in points:
+            for tag, values in item.tags.items():
+                for value in values:
+                    sorted_out.setdefault(tag, {}).setdefault(value, []).append(points[item.id])
+    return {
+        tag: {
+            value: Group(items=len(held), accuracy=Share.of(mean_of_items(held)))
+            for value, held in sorted(by_value.items())
+        }
+        for tag, by_value in sorted(sorted_out.items())
+        if 1 <= len(by_value) <= MOST_GROUPS
+    }

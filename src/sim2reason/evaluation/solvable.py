@@ -1,0 +1,123 @@
+"""The solvable filter: problems that a policy solves sometimes, neither never nor always.
+
+A policy's answers are no function of a problem, so this is no filter of the maker but a pass over a finished dataset,
+whose result is a folder with hashes of all that it rests on:
+
+    OUT/solvable.json      the dataset, the policy, tries, bounds, and what was found; written last
+    OUT/samples.jsonl      every answer, one line each, on disk as soon as it is finished; with OUT/plan.json
+    OUT/pass_rates.jsonl   of each problem: right answers, tries, and whether it was kept
+    OUT/problems/          the dataset of those that were kept
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from importlib.metadata import version
+from pathlib import Path
+
+from sim2reason.base.atomic_files import canonical, checksum, put_text
+from sim2reason.datasets.dataset import Dataset
+from sim2reason.datasets.subset import put_subset
+from sim2reason.errors import EvaluationError
+from sim2reason.evaluation.policies.samples.journal import finished
+from sim2reason.evaluation.policy_pass import MOST_TRIES, SAMPLES, PolicyPass, PolicySource, asked
+from sim2reason.generation.grade_answer import grade_answer
+from sim2reason.generation.item import Answer, Record
+
+__all__ = ["PassRate", "Solvable", "solvable"]
+
+RESULT, RATES, KEPT = "solvable.json", "pass_rates.jsonl", "problems"
+TRIES, BETWEEN = 8, (0.1, 0.9)
+
+
+class PassRate(Record):
+    """How often a policy solved a problem."""
+
+    id: str
+    right: int
+    tries: int
+    kept: bool
+
+    @property
+    def rate(self) -> float:
+        """The share of right answers."""
+        return self.right / self.tries
+
+
+class Solvable(Record):
+    """What a pass has found; ``solvable.json``."""
+
+    plan: PolicyPass
+    tries: int
+    between: tuple[float, float]
+    """An open interval."""
+    items: int
+    kept: int
+    rates: dict[str, int]
+    """How many problems were solved how often, by the number of right answers."""
+    samples: str
+    """The SHA-256 of the journal of answers."""
+    versions: dict[str, str]
+
+
+def solvable(
+    dataset: Path | str,
+    out: Path | str,
+    policy: PolicySource,
+    *,
+    k: int = TRIES,
+    between: tuple[float, float] = BETWEEN,
+    seed: int = 0,
+    advance: Callable[[int], object] = lambda _: None,
+) -> Solvable:
+    """Keep the problems of `dataset` that `policy` solves in a share of `k` tries strictly `between` two bounds.
+
+    `policy` may be a YAML file with its settings. What was answered before is not asked again: with more tries, other
+    bounds or after a kill, the same call goes on. `advance` is told how many more answers are finished.
+
+    Raises:
+        EvaluationError: bounds or a number of tries that make no sense, or a folder that holds something else.
+        PolicyError: a policy that can't be asked; what was finished is kept.
+        DatasetError: no finished dataset, or a damaged one.
+    """
+    low, high = between
+    if not 0.0 <= low < high <= 1.0 or not 1 <= k <= MOST_TRIES:
+        raise EvaluationError(f"between {low:g} and {high:g}, {k} tries: give bounds as in 0.1,0.9 and a try or more")
+    source, out = Dataset(dataset), Path(out)
+    with asked(source, source, out, policy, k=k, seed=seed, advance=advance) as plan:
+        return _finished(source, out, plan, k, between)
+
+
+def _finished(source: Dataset, out: Path, plan: PolicyPass, k: int, between: tuple[float, float]) -> Solvable:
+    """Grade all answers, and write what follows from them."""
+    (out / RESULT).unlink(missing_ok=True)
+    rates = {rate.id: rate for rate in _rates(source, out / SAMPLES, k, between)}
+    put_text(out / RATES, "".join(f"{rate.model_dump_json()}\n" for rate in rates.values()), out)
+    low, high = between
+    why = (
+        f"Of {len(rates)} problems those that the policy `{plan.policy.get('name')}` solved in a share of {k} tries "
+        f"strictly between {low:g} and {high:g}."
+    )
+    manifest = put_subset(source, out / KEPT, lambda item: rates[item.id].kept, "solvable", why)
+    counts = [rate.right for rate in rates.values()]
+    found = Solvable(
+        plan=plan,
+        tries=k,
+        between=between,
+        items=len(rates),
+        kept=manifest.rows,
+        rates={str(right): counts.count(right) for right in range(k + 1)},
+        samples=checksum(out / SAMPLES),
+        versions={"sim2reason": version("sim2reason")},
+    )
+    put_text(out / RESULT, canonical(found.model_dump(mode="json")), out)
+    return found
+
+
+def _rates(source: Dataset, journal: Path, k: int, between: tuple[float, float]) -> Iterator[PassRate]:
+    """Yield the pass rate of each problem, in the dataset's order."""
+    answers: Mapping[str, Answer] = {item.id: item.answer for item in source}
+    right = dict.fromkeys(answers, 0)
+    for found in finished(journal):
+        if found.sample < k and found.id in answers:
+            right[found.id] += grade_answer(answers[found.id], found.completion.whole).reward == 1.0
+    for name, count in right.items():
+        yield PassRate(id=name, right=count, tries=k, kept=between[0] < count / k < between[1])

@@ -1,0 +1,67 @@
+"""Questions that passed every filter, with all that belongs to them."""
+
+from dataclasses import dataclass
+
+from sim2reason.base.lazy import cached_property
+from sim2reason.generation.filters import Candidate
+from sim2reason.generation.item import Distractor
+from sim2reason.questions import Question, Study
+from sim2reason.simulation.certify import Certificate
+from sim2reason.solutions import Setting, Solution, solve
+from sim2reason.solutions.difficulty import SolutionDifficulty, measured, number_of_events
+from sim2reason.text.prose.description import Description
+
+
+@dataclass(frozen=True)
+class CertifiedQuestion:
+    """A question that passed, with its text and what vouches for its answer."""
+
+    candidate: Candidate
+    study: Study  # its motion is recorded beyond what is asked, and cut where the engines part
+    certificate: Certificate
+    description: Description
+    shape: str  # of the prompt
+    parts: "tuple[CertifiedPart, ...]" = ()  # where there are several, of which this is the last
+    text: str = ""  # the prompt with all parts
+    options: tuple[Distractor | None, ...] = ()  # of a multiple choice; None is the right one
+
+    @property
+    def question(self) -> Question:
+        """Return the question that passed, which holds its answer."""
+        return self.candidate.question
+
+    @property
+    def prompt(self) -> str:
+        """Return the whole text of the problem, with all its parts."""
+        return self.text or self.candidate.prompt
+
+    @cached_property
+    def shortest(self) -> Solution:
+        """Return the solution that difficulty and needs are measured by, an integration if there is no shorter one."""
+        found = self.candidate.solution
+        return found if found is not None and found.answer is not None else solve(self.setting)
+
+    @cached_property
+    def measured(self) -> SolutionDifficulty | None:
+        """Return the difficulty by the shortest solutions of all parts; None if there is one without."""
+        parts = [part.certified for part in self.parts] or [self]
+        if any(part.shortest.answer is None for part in parts):
+            return None
+        studied = [(part.shortest, part.candidate) for part in parts]
+        return measured(*((found, number_of_events(of.study.trace, of.time)) for found, of in studied))
+
+    @property
+    def setting(self) -> Setting:
+        """Return the scene, motion, names and question that a worked solution starts from."""
+        assert self.candidate.words is not None
+        return Setting.of(self.question, self.study, self.candidate.words, self.description)
+
+
+@dataclass(frozen=True)
+class CertifiedPart:
+    """A part of a problem: a question that passed, with its solution and the earlier parts that lead to it."""
+
+    certified: CertifiedQuestion
+    solution: Solution
+    text: str  # of the question, as the prompt has it
+    uses: tuple[int, ...]

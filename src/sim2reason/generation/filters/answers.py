@@ -1,0 +1,211 @@
+"""Filters of answers: degenerate, ambiguous, or lost in rounding."""
+
+import re
+from collections.abc import Iterator
+from math import sqrt
+
+import numpy as np
+
+from sim2reason.generation.filters import FILTERS, Candidate, Filter
+from sim2reason.generation.filters.parts.numbers import elasticities, givens
+from sim2reason.generation.modes.reverse import unfixed
+from sim2reason.questions import KINDS
+from sim2reason.questions.choices import least
+from sim2reason.questions.unknown import far_from, range_of
+from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.measures import join_unit
+from sim2reason.simulation.quantities import QUANTITIES, Quantity
+
+SMALLEST = 0.01  # of the scene's largest value of the quantity: two spoken digits can't tell less from zero
+SAME = 2e-3  # relative: what rounds to the same three digits
+
+
+class Degenerate(Filter):
+    """The answer is negative, nothing, one of the stated numbers, or what it was at the start."""
+
+    order = 0
+
+    def reason(self, candidate: Candidate) -> str:
+        """Compare the result with zero and with the scene's scale, and the answer with every number of the text."""
+        if (
+            candidate.question.formula is not None
+            and candidate.question.formula.latex in candidate.question.formula.symbols
+        ):
+            return "the answer is one symbol"
+        if candidate.question.answer < 0.0:
+            return "the answer is negative, so that a constant below zero could be right"
+        answer = candidate.question.answer
+        if abs(candidate.question.result) <= max(_least(candidate), SMALLEST * _scale(candidate)):
+            return "the answer can not be told from zero"
+        nearest = _nearest(candidate)
+        if nearest is not None and abs(answer - nearest) <= candidate.tolerance * answer:  # who repeats it is paid
+            return "the answer is a stated number"
+        return "nothing changes it before" if _lasting(candidate) else ""
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """Yield the result beside the least one, the number that is nearest to the answer, and what it began with."""
+        question, nearest = candidate.question, _nearest(candidate)
+        floor = max(_least(candidate), SMALLEST * _scale(candidate))
+        yield f"the result is {question.result:.4g}; what is not beyond {floor:.2g} can't be told from zero"
+        if nearest is not None:
+            away, paid = candidate.change_to(nearest), candidate.tolerance
+            said = f"the nearest number of scene and question is {nearest:g}"
+            yield f"{said}, {away:.2g} of the answer away; {paid:g} would be paid"
+        start = _start(candidate)
+        if start is not None:
+            yield f"just after the start it is {start:.4g}"
+
+
+def _least(candidate: Candidate) -> float:
+    """Return the smallest result."""
+    quantity = _asked(candidate)
+    if quantity is not None:
+        return least(candidate.study.mechanism, quantity)
+    return KINDS[candidate.question.query.kind].measured(candidate.question.query).least
+
+
+def _stated(candidate: Candidate, unit: str) -> Iterator[float]:
+    """The numbers of a unit in the text of the scene; of any unit g and those of the question, with which it ends."""
+    for parameter in candidate.study.scene.parameters:
+        open_to_all = not parameter.hidden and parameter.path not in candidate.question.left_open
+        alike = parameter.measure.unit == unit or parameter.path.startswith("world.")
+        if open_to_all and parameter.value is not None and alike:
+            yield parameter.value
+    given = candidate.question.given
+    if given is not None:
+        yield given.value
+    moment = candidate.question.query.moment
+    yield from (number for number, _ in (moment.stated if moment is not None else ()))
+
+
+def _nearest(candidate: Candidate) -> float | None:
+    """Return the size of the stated number, of the answer's unit, that is nearest to the answer."""
+    answer = candidate.question.answer
+    sizes = (abs(said) for said in _stated(candidate, candidate.question.unit))
+    return min(sizes, key=lambda size: abs(answer - size), default=None)
+
+
+def _asked(candidate: Candidate) -> Quantity | None:
+    """Return the quantity that the answer is a value of; None if it is none, such as a time."""
+    query = candidate.question.query
+    if query.target is None or KINDS[query.kind].measured(query).name != query.target.quantity:
+        return None
+    return QUANTITIES[query.target.quantity]
+
+
+def _lasting(candidate: Candidate) -> bool:
+    """Return whether a quantity at a later moment still has the value that it has just after the start."""
+    start, answer = _start(candidate), candidate.question.result
+    return start is not None and abs(answer - start) <= SAME * abs(answer)
+
+
+def _start(candidate: Candidate) -> float | None:
+    """Return what a quantity at a later moment is just after the start; None where none is asked for."""
+    query, study = candidate.question.query, candidate.study
+    if _asked(candidate) is None or query.target is None or not KINDS[query.kind].time(query, study):
+        return None
+    return query.target.value(study.trace.sample(np.zeros(1)))
+
+
+def _scale(candidate: Candidate) -> float:
+    """Return the largest value of the asked quantity on any subject while the motion is described."""
+    quantity, trace = _asked(candidate), candidate.study.trace
+    if quantity is None:
+        return 0.0
+    state = trace.state
+    within = state.times <= trace.stable_until
+    largest = 0.0
+    for subject in quantity.subjects(state.mechanism):
+        values = quantity.evaluate(state, subject)[within]
+        size = np.abs(values) if values.ndim == 1 else np.linalg.norm(values, axis=1)
+        largest = max(largest, float(np.nanmax(size, initial=0.0)))
+    return largest
+
+
+FILTERS.add("degenerate", Degenerate())
+
+
+class Identifiable(Filter):
+    """Another value of the unknown gives the same result, or the text does not speak of it as of an unknown."""
+
+    order = 10
+
+    def reason(self, candidate: Candidate) -> str:
+        """Solve the scene with other values within ten times the range from which the number is drawn."""
+        question, words = candidate.question, candidate.words
+        if not question.unknown or words is None:
+            return ""
+        text = " ".join(candidate.sentences)
+        if not all(_speaks_of(path, words, text) for path in question.left_open):
+            return "the text has no words for the unknown"
+        return candidate.study.once(("unfixed", question), lambda: unfixed(question, candidate.study, words))
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """Yield the number, and the range of the others that were tried."""
+        question = candidate.question
+        if question.unknown and question.given is not None and not self.reason(candidate):
+            values = range_of(candidate.study.scene, question.unknown, question.answer)
+            values = [*values, *far_from(values, question.answer, question.unit)]
+            low, high = (join_unit(f"{value:.3g}", question.unit) for value in (min(values), max(values)))
+            yield f"from {low} to {high} no value of {question.unknown} but {question.answer:.4g} gives the result"
+
+
+def _speaks_of(path: str, words: Words, text: str) -> bool:
+    """Whether a text has the symbol of a number, alone or one of many, and not only as its own value: *R = $R$*."""
+    alone = next(found.symbol for found in words.unknowns if found.path == path).strip("$")
+    for symbol in (alone, words.symbols.get(path, alone)):
+        own = rf"(?<!\w){re.escape(_plain(symbol))} = \${re.escape(symbol)}\$"
+        if f"${symbol}$" in text and re.search(own, text) is None:
+            return True
+    return False
+
+
+def _plain(symbol: str) -> str:
+    """Return a symbol as prose has it in a formula of its own."""
+    return {r"\omega": "ω"}.get(symbol, symbol)
+
+
+FILTERS.add("identifiable", Identifiable())
+
+
+WORST = 20.0  # the condition number, the root of the sum of the squares of all elasticities
+
+
+class Precision(Filter):
+    """A small shift of a stated number moves the answer too far, or changes the order of events: chaos.
+
+    What is counted must not change by half a unit in the last place of any number.
+    """
+
+    order = 8
+
+    def reason(self, candidate: Candidate) -> str:
+        """Shift the stated numbers, one by one, by one part in a thousand and solve again."""
+        squares = 0.0
+        for found in elasticities(candidate):
+            if found.reordered:
+                return f"a small shift of {', '.join(found.given.paths)} changes the order of events"
+            squares += found.size**2
+            if squares > WORST**2:
+                return f"the condition number is at least {sqrt(squares):.1f}"
+        changed = next(_miscounted(candidate), "") if candidate.kind.measured(candidate.question.query).whole else ""
+        return f"half a unit in the last place of {changed} changes the count" if changed else ""
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """Yield the condition number."""
+        total = sqrt(sum(found.size**2 for found in elasticities(candidate)))
+        yield f"the condition number is {total:.2f}; up to {WORST:g} is allowed"
+
+
+def _miscounted(candidate: Candidate) -> Iterator[str]:
+    """Yield the addresses of numbers that change what is counted as soon as they are rounded."""
+    study, question = candidate.study, candidate.question
+    for parameter in (parameter for given in givens(study.scene, question.left_open) for parameter in given.parameters):
+        value = float(study.scene.value(parameter.path))
+        half = 0.5 * 10.0 ** -parameter.measure.places(value)
+        others = (study.with_values({parameter.path: value + shift}, candidate.until) for shift in (half, -half))
+        if any(other is not None and candidate.response(other) != question.answer for other in others):
+            yield parameter.path
+
+
+FILTERS.add("precision", Precision())

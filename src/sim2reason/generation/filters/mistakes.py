@@ -1,0 +1,68 @@
+"""Filters of questions that a mistake answers right."""
+
+from collections.abc import Iterator
+
+from sim2reason.generation.filters import FILTERS, Candidate, Filter
+from sim2reason.generation.filters.parts.effects import Effect, effects
+
+ALLOWED = {"easy": 0, "medium": 0, "hard": 1}
+
+
+class Shortcut(Filter):
+    """A part of the scene can be held or left out, and the answer stays within the tolerance, or nearly.
+
+    A hard problem in numbers may have one such part, which is recorded as a distraction; other problems have none. What
+    changes the answer a little, but might be forgotten, would be paid for.
+    """
+
+    order = 6
+
+    def reason(self, candidate: Candidate) -> str:
+        """Hold and leave out what can be, part by part."""
+        idle = dict[str, Effect]()
+        allowed = ALLOWED[candidate.difficulty] if candidate.question.formula is None else 0
+        for effect in effects(candidate, part=True):
+            if not effect.close:
+                continue
+            idle.setdefault(effect.subject, effect)
+            forgiven = effect.simplification.misleads and not effect.same
+            if forgiven or len(idle) > allowed:
+                return f"{effect.simplification.name}: {effect.subject} changes the answer by {effect.change:.2g}"
+        return ""
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """Return what each does to the answer."""
+        return (effect.told for effect in effects(candidate, part=True))
+
+
+FILTERS.add("shortcut", Shortcut())
+
+
+class Simplified(Filter):
+    """A mistake about the physics is paid, or nearly: it changes the answer a little, or not at all.
+
+    One that changes nothing may stay where it is about nothing but a part that the item marks as having no bearing.
+    """
+
+    order = 4
+
+    def reason(self, candidate: Candidate) -> str:
+        """Make every mistake that can be made."""
+        for effect in effects(candidate, part=False):
+            if effect.close and effect.wrong and not (effect.same and _is_about_a_marked_part(effect, candidate)):
+                return f"{effect.simplification.name}: the answer changes by {effect.change:.2g}"
+        return ""
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """Return what each does to the answer."""
+        return (effect.told for effect in effects(candidate, part=False))
+
+
+def _is_about_a_marked_part(effect: Effect, candidate: Candidate) -> bool:
+    """Return whether nobody could make that mistake without some part that the item will mark as having no bearing."""
+    without = (part.study for part in effects(candidate, part=True) if part.close and part.study is not None)
+    query, slip = candidate.question.query, effect.simplification
+    return any(effect.subject not in slip.subjects(query, study) for study in without)
+
+
+FILTERS.add("simplification", Simplified())

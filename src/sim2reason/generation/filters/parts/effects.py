@@ -1,0 +1,157 @@
+"""What simplifications do to an answer."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from sim2reason.generation.filters import Candidate
+from sim2reason.questions import Study
+from sim2reason.questions.simplifications import SIMPLIFICATIONS, OtherReading, Simplification, in_order
+from sim2reason.questions.simplifications.omissions import GravityLeftOut
+from sim2reason.questions.simplifications.parts.which import solid
+from sim2reason.questions.tolerance import NEARLY
+from sim2reason.scenes.dsl.ablation import with_bodies
+from sim2reason.scenes.dsl.mechanism import Mechanism, RigidBody
+
+SAME = 0.02  # of the tolerance: an answer that changes by less is the same
+LONGER = 3.0  # times: how much longer a motion is followed whose answer does not come in time
+
+
+@dataclass(frozen=True, slots=True)
+class Effect:
+    """What one simplification of one part of the scene does to the answer."""
+
+    simplification: Simplification
+    subject: str
+    answer: float | None  # None if there is none any more
+    change: float  # relative; infinite if there is no answer
+    tolerance: float
+    study: Study | None  # the scene as it has it; None if there is no motion then
+
+    @property
+    def same(self) -> bool:
+        """Return whether the answer stays what it was."""
+        return self.change < SAME * self.tolerance
+
+    @property
+    def close(self) -> bool:
+        """Return whether the answer would be paid, or nearly."""
+        return self.change < NEARLY * self.tolerance
+
+    @property
+    def wrong(self) -> bool:
+        """Return whether who makes it errs; nobody does by an approximation that holds."""
+        return not (self.same and self.simplification.sound_if_same)
+
+    @property
+    def told(self) -> str:
+        """In a line."""
+        about = f" ({self.subject})" if self.subject else ""
+        if self.answer is None:
+            return f"{self.simplification.name}{about}: there is no answer any more"
+        return f"{self.simplification.name}{about}: {self.answer:.4g}, {self.change:.2g} of the answer away"
+
+
+def effects(candidate: Candidate, *, part: bool) -> Iterator[Effect]:
+    """Yield those of all simplifications that take a `part` of the scene away, or of all that do not.
+
+    Nothing that the question itself speaks of is taken away or held. What such answers by nature do not depend on may
+    well be left out, as how it begins of the period of small oscillations: that is no slip.
+    """
+    for simplification in in_order():
+        if simplification.part == part:
+            yield from effects_of(simplification, candidate)
+
+
+def effects_of(simplification: Simplification, candidate: Candidate) -> Iterator[Effect]:
+    """Yield those of one simplification."""
+    query, study = candidate.question.query, candidate.study
+    subjects = [*simplification.subjects(query, study)]
+    if not subjects or _is_beside(simplification, candidate):
+        return
+    spared, until = _spared(simplification, candidate), _until(candidate)
+    for subject in subjects:
+        if subject in spared:
+            continue
+        other = simplification.simplified(study, subject, until)
+        effect = _effect(simplification, subject, candidate, other, candidate.response(other))
+        indifferent = other is not None and effect.same and candidate.kind.indifferent(query, study, other)
+        if simplification.part or not indifferent:
+            yield effect
+
+
+def far_effects(candidate: Candidate) -> Iterator[Effect]:
+    """Yield those of all that is another mechanism, followed for longer, with answers far from the right one.
+
+    They take the most time.
+    """
+    query, study = candidate.question.query, candidate.study
+    until = LONGER * _until(candidate)
+    for simplification in SIMPLIFICATIONS.values():
+        if isinstance(simplification, OtherReading):
+            continue
+        spared = _spared(simplification, candidate)
+        for subject in simplification.subjects(query, study):
+            if subject not in spared:
+                other = simplification.simplified(study, subject, until)
+                yield _effect(simplification, subject, candidate, other, candidate.far_response(other))
+
+
+def _effect(
+    simplification: Simplification, subject: str, candidate: Candidate, other: Study | None, answer: float | None
+) -> Effect:
+    return Effect(simplification, subject, answer, candidate.change_to(answer), candidate.tolerance, other)
+
+
+def _spared(simplification: Simplification, candidate: Candidate) -> set[str]:
+    """Return the number asked for, and what the question speaks of if a simplification takes it away or holds it.
+
+    An empty name is none of these: it stands for the whole scene.
+    """
+    spared = {candidate.question.unknown}
+    if simplification.part or simplification.holds:
+        query = candidate.question.query
+        spared |= {*query.subjects, *(query.moment.subjects if query.moment is not None else ())}
+    return spared - {""}
+
+
+def _until(candidate: Candidate) -> float:
+    return candidate.until if candidate.until is not None else float(candidate.study.trace.state.times[-1])
+
+
+def _is_beside(simplification: Simplification, candidate: Candidate) -> bool:
+    """Return whether it reads a motion otherwise, which the answer has nothing to do with."""
+    return isinstance(simplification, OtherReading) and _is_of_no_motion(candidate)
+
+
+def _is_of_no_motion(candidate: Candidate) -> bool:
+    """Return whether the answer follows from the scene alone, as a threshold does, whatever motion is recorded."""
+    return candidate.question.query.moment is None and candidate.time == 0.0
+
+
+TURNS = "weight drives it, and bodies that turn resist it by their moments of inertia"
+MORE = 1.1  # times the inertia
+BEARS = 5e-3  # relative: an answer that changes by more hangs on the inertia
+
+
+def turns_by_weight(candidate: Candidate) -> bool:
+    """Whether weight bears on the answer, and so does the inertia with which something turns about its own centre.
+
+    Without weight, as in L = m v R of a hoop that rolls, it may be by definition that inertia bears. And with none at
+    all, what slips would roll: so a little more of it tells more than nothing.
+    """
+    if not solid(candidate.study.mechanism):
+        return False
+    other = candidate.study.changed("more inertia", _harder_to_turn, candidate.until)
+    if candidate.change(other) <= BEARS:
+        return False
+    without = effects_of(SIMPLIFICATIONS[GravityLeftOut.name], candidate)
+    return any(not effect.close for effect in without)
+
+
+def _harder_to_turn(mechanism: Mechanism) -> Mechanism:
+    return with_bodies(mechanism, solid(mechanism), _with_more)
+
+
+def _with_more(body: RigidBody) -> RigidBody:
+    xx, yy, zz, xy, xz, yz = (MORE * part for part in body.inertia)
+    return replace(body, inertia=(xx, yy, zz, xy, xz, yz))

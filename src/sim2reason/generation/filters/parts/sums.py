@@ -1,0 +1,162 @@
+"""Answers that are sums of two products of stated numbers, or roots of such, as ½ k d² + ½ m v² or √(v² + 2 g h)."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import product, takewhile
+from math import isclose, prod, sqrt
+from typing import NamedTuple
+
+from sim2reason.generation.filters import Candidate
+from sim2reason.generation.filters.parts.products import (
+    ANGLE,
+    EXACT,
+    NEAR,
+    OWN,
+    POWERS,
+    Factor,
+    View,
+    factors_of,
+    turned,
+)
+from sim2reason.scenes.dsl.units import parse_unit
+
+MOST = 5  # numbers: of more a sum of two products is none that everybody knows
+ROOTS = (1.0, 2.0)  # powers of the answer that may be the sum
+HIGHEST = 4.0  # power of a number in a product
+TURNED = 1e-4  # relative: how well it must be that where an angle is turned
+CLOSE = 0.02  # relative: how well a share is known from shifted numbers
+TRIED = 256  # ways to share out numbers, at most
+SIMPLE = (1.0, 2.0, 4.0, 0.5, 0.25, sqrt(2.0), sqrt(0.5))  # factors in front of a product
+
+
+class _Place(NamedTuple):
+    """As what a number stands in the first term and in the second: a function of it, to two powers."""
+
+    factor: Factor
+    function: View
+    powers: tuple[float, float]
+    value: tuple[float, float]  # what it is there
+
+    def at(self, turned: float) -> tuple[float, float]:
+        """Return what it is there if an angle of the scene were turned, rad."""
+        turn = turned if self.factor.unit == ANGLE and self.factor.path else 0.0
+        return _raised(self.function(self.factor.value + turn), self.powers)
+
+
+Terms = Sequence[_Place]
+_Way = tuple[View, float, float | None]
+
+
+def sum_of(candidate: Candidate) -> str:
+    """Return the sum of two products of stated numbers that the answer is, in a few words; empty if it is none."""
+    question = candidate.question
+    factors = factors_of(candidate, float) if question.unit != ANGLE else None
+    if not factors or not 2 < len(factors) <= MOST:
+        return ""
+    value = abs(question.answer) * parse_unit(question.unit).factor
+    for root in ROOTS:
+        for share, terms in _terms(factors, root):
+            if any(_holds_turned(candidate, root, terms, front) for front in _fronts(value**root, share, terms)):
+                names = ", ".join(factor.path or OWN for factor in factors)
+                return f"the answer is {'the root of ' if root > 1.0 else ''}a sum of two products of {names}"
+    return ""
+
+
+def _fronts(value: float, share: float, terms: Terms) -> Iterator[tuple[float, float]]:
+    """The simple factors, with their signs, with which two terms add up to a value; the first has about a share."""
+    first, second = _multiplied(place.value for place in terms)
+    ones = _simple(first, share * value)
+    if not ones:  # as nearly always
+        return
+    for one, other in product(ones, _simple(second, (1.0 - share) * value)):
+        if isclose(one * first + other * second, value, rel_tol=EXACT):
+            yield one, other
+
+
+def _simple(term: float, part: float) -> list[float]:
+    """Return the simple factors, with their sign, with which a term is about a part."""
+    size, sign = abs(part), -1.0 if part < 0.0 else 1.0
+    return [sign * front for front in SIMPLE if isclose(front * term, size, rel_tol=CLOSE)]
+
+
+def _holds_turned(candidate: Candidate, root: float, terms: Terms, front: tuple[float, float]) -> bool:
+    """Whether the answer stays the sum when an angle of the scene is turned: of 60° alone many functions are simple."""
+    for angle in (place.factor for place in terms if place.factor.unit == ANGLE and place.factor.path):
+        found = turned(candidate, angle)
+        if found is None:
+            return False
+        turn, there = found
+        here = _added((place.value for place in terms), front)
+        ratio = _added((place.at(turn) for place in terms), front) / here
+        if not isclose((there / candidate.question.answer) ** root, ratio, rel_tol=TURNED):
+            return False
+    return True
+
+
+def _terms(factors: Sequence[Factor], root: float) -> Iterator[tuple[float, Terms]]:
+    """Two products that the answer, to the power of `root`, may be the sum of, and the share of the first.
+
+    In Z = A + B the power of x^q that stands in A is q A/Z, of one in B q (1 - A/Z), of one in both q.
+    """
+    ways = [(factor, _ways(factor, root)) for factor in factors]
+    for mixed in (factor for factor in factors if not _half(root * factor.power, NEAR)):
+        for _, slope in _shapes(mixed):
+            for halves in range(1, round(2.0 * HIGHEST) + 1):
+                for share in (2.0 * root * mixed.power / (sign * halves * slope) for sign in (1.0, -1.0)):
+                    places = [*takewhile(bool, (_places(*each, share) for each in ways))]
+                    if len(places) == len(factors) and prod(map(len, places)) <= TRIED:
+                        yield from ((share, each) for each in product(*places))
+
+
+def _multiplied(values: Iterable[tuple[float, float]]) -> tuple[float, float]:
+    first = second = 1.0
+    for one, other in values:
+        first, second = first * one, second * other
+    return first, second
+
+
+def _added(values: Iterable[tuple[float, float]], front: tuple[float, float]) -> float:
+    return sum(factor * term for factor, term in zip(front, _multiplied(values), strict=True))
+
+
+def _ways(factor: Factor, root: float) -> list[_Way]:
+    """As what a number may stand there, with the power with which the sum goes with it, and the simple one near it."""
+    powers = [(function, root * factor.power / slope) for function, slope in _shapes(factor)]
+    return [(function, power, _half(power, NEAR)) for function, power in powers]
+
+
+def _places(factor: Factor, ways: Sequence[_Way], share: float) -> list[_Place]:
+    """Return where a number may stand, by the share of the first term: in one term or both, or once more in one.
+
+    As k does in √(k² d² + k m v²).
+    """
+    found: list[tuple[View, tuple[float, float]]] = []
+    for function, power, both in ways:
+        if both:
+            found.append((function, (both, both)))
+        for shared in (0.0, 1.0):
+            one = _half((power - shared) / share, CLOSE) if share else None
+            other = _half((power - shared) / (1.0 - share), CLOSE) if share != 1.0 else None
+            if one:
+                found.append((function, (one + shared, shared)))
+            if other:
+                found.append((function, (shared, other + shared)))
+    return [_Place(factor, function, powers, _raised(function(factor.value), powers)) for function, powers in found]
+
+
+def _raised(value: float, powers: tuple[float, float]) -> tuple[float, float]:
+    return abs(value) ** powers[0], abs(value) ** powers[1]
+
+
+def _shapes(factor: Factor) -> Iterator[tuple[View, float]]:
+    """As what a number may stand there: itself or a function, and the power with which that goes with the number."""
+    if factor.unit != ANGLE:
+        yield float, 1.0
+        return
+    yield from ((function, power(factor.value)) for function, power in POWERS[1:])
+
+
+def _half(power: float, near: float) -> float | None:
+    """Return a power, which is a multiple of a half and not zero; None if it is not."""
+    found = round(2.0 * power) / 2.0
+    size = abs(found)
+    return found if 0.0 < size <= HIGHEST and abs(power - found) <= (near * size if size > 1.0 else near) else None

@@ -1,0 +1,89 @@
+"""Filters that drop a scene before anything is asked about it."""
+
+from collections.abc import Iterator
+
+from sim2reason.generation.filters import FILTERS, Candidate, SceneFilter
+from sim2reason.questions import Study
+from sim2reason.scenes.dsl.constancy import changing
+from sim2reason.scenes.dsl.magnitudes import implausible_numbers
+from sim2reason.scenes.dsl.measures import join_unit
+from sim2reason.scenes.dsl.mechanism import Inextensible
+from sim2reason.simulation.quantities.kinematics import Acceleration
+
+
+class Magnitudes(SceneFilter):
+    """A stated number, a density, a ratio of masses or the length of a spring at the start is not plausible."""
+
+    def scene_reason(self, study: Study) -> str:
+        """Look up all stated numbers, once for each scene."""
+        return study.once("implausible numbers", lambda: next(implausible_numbers(study.scene), ""))
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """Yield all that is not plausible."""
+        return implausible_numbers(candidate.study.scene)
+
+
+FILTERS.add("magnitudes", Magnitudes())
+
+
+STILL = 1e-6  # m/s²
+SEVERAL = 2  # parts of a scene
+
+
+class Opposed(SceneFilter):
+    """Just after the start no weight rises, and those of several entities descend, so that none works against another.
+
+    A row of blocks that runs down one slope is of one entity. Springs and what swings are not looked at.
+    """
+
+    def scene_reason(self, study: Study) -> str:
+        """Return a reason if no body accelerates upwards just after the start."""
+        if not study.mechanism.strings or changing(study.mechanism):
+            return ""
+        up = _accelerations(study)
+        down = {name.partition(".")[0] for name, upwards in up.items() if upwards < -STILL}
+        rises = any(upwards > STILL for upwards in up.values())
+        return "all that has a weight runs down together" if len(down) >= SEVERAL and not rises else ""
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """Yield the vertical direction in which each accelerated body initially accelerates."""
+        moving = {name: up for name, up in _accelerations(candidate.study).items() if abs(up) > STILL}
+        yield from (f"{name} is accelerated {'up' if up > 0.0 else 'down'}" for name, up in moving.items())
+
+
+def _accelerations(study: Study) -> dict[str, float]:
+    """Return the vertical accelerations of all bodies with mass just after the start, in m/s², positive upwards."""
+    state = study.trace.at(0.0)
+    heavy = [body.name for body in state.mechanism.bodies if body.mass > 0.0]
+    return {name: float(Acceleration.evaluate(state, name)[0, 2]) for name in heavy}
+
+
+FILTERS.add("opposed", Opposed())
+
+
+SMALL = 1e-9  # N
+
+
+class Taut(SceneFilter):
+    """A string that has nothing to spare at the start pulls at nothing just after it: nobody would call it taut."""
+
+    def scene_reason(self, study: Study) -> str:
+        """Return the first string whose tension is zero just after the start."""
+        return next((f"{name} is slack from the start on" for name, t in _tensions(study).items() if t <= SMALL), "")
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """Yield the least tension."""
+        tensions = _tensions(candidate.study)
+        if tensions:
+            name = min(tensions, key=lambda each: tensions[each])
+            unit = candidate.study.mechanism.units.spell("N")
+            yield f"the least tension just after the start is {join_unit(f'{tensions[name]:.4g}', unit)}, in {name}"
+
+
+def _tensions(study: Study) -> dict[str, float]:
+    """Return the tensions of all strings just after the start, N."""
+    law, tension = Inextensible(), study.trace.at(0.0).tension
+    return {line.name: float(tension[line.name][0]) for line in study.mechanism.strings if line.law == law}
+
+
+FILTERS.add("taut", Taut())

@@ -1,0 +1,161 @@
+"""Filters of what a textbook has ready: few laws, one line, few symbols."""
+
+from collections.abc import Iterator
+
+from sim2reason.generation.filters import FILTERS, Candidate, Filter
+from sim2reason.generation.filters.parts.effects import TURNS, turns_by_weight
+from sim2reason.generation.filters.parts.formula_size import has_logarithm, size
+from sim2reason.generation.filters.parts.numbers import EVER, least
+from sim2reason.generation.filters.parts.products import product_of
+from sim2reason.generation.filters.parts.sums import sum_of
+from sim2reason.scenes.dsl.constancy import changing
+from sim2reason.solutions import Solution
+from sim2reason.solutions.closed_forms import ClosedFormError, put_together
+from sim2reason.solutions.derivation import derivation, is_derived
+from sim2reason.solutions.difficulty import number_of_laws
+
+FEW_LAWS = "few laws"
+MOST = {0: 11, 1: 11, 2: 8, 3: 7, 4: 7}
+"""By the number of laws, the symbols in a formula, each as often as it stands there, that make no problem of it.
+
+Set by 460 problems that readers judged: it parts those that they called trivial from nearly all others.
+"""
+TEXTBOOK = {"easy": 3, "medium": 2, "hard": 0}
+"""By how many symbols fewer that is where two laws or more are used.
+
+An easy problem may be one that a textbook has, if it takes two laws.
+"""
+STEADY = {**MOST, 2: 9, 3: 8, 4: 10}
+"""The same where accelerations are constant: two blocks on one string, and how far they come by a time."""
+BY_HEART = 4  # symbols in a formula that anybody knows who knows moments of inertia
+LARGEST = 2  # coordinates of what so few laws may answer a question about, if nothing happens on the way
+
+
+class FewLaws(Filter):
+    """The worked solution tells one law, or few, and they lead to a short formula: what a textbook has ready.
+
+    As v/(g (sin θ + µ cos θ)) until a block comes to rest, F/(m_A + m_B) + g sin θ for two blocks that move as one,
+    √(v² + k d²/m) for a cart on a spring, or where a ball that is thrown lands. Nothing is said where no formula is
+    derived, nor of an integral, which a logarithm tells, but by itself.
+
+    What rolls or swings by its weight is kept, as by `one line`: a law of motion and a law of turning hold together
+    there. Only what hardly anybody need derive, as ⅓ m g sin θ of a cylinder, is not. What more than laws leads to, as
+    a derivative, is kept, too.
+    """
+
+    order = 3
+
+    def ready(self, candidate: Candidate) -> bool:
+        """Return whether the derivation is made, as it is of what is asked for as a formula."""
+        return is_derived(candidate.question.query, candidate.study)
+
+    def reason(self, candidate: Candidate) -> str:
+        """Count laws, and the symbols of the formulas put into each other."""
+        found = None if candidate.easy else _derivation(candidate)
+        if found is None:
+            return ""
+        laws = number_of_laws(found)
+        most = (MOST if changing(candidate.study.mechanism) else STEADY).get(laws, -1)
+        most -= TEXTBOOK[candidate.difficulty] if laws > 1 else 0
+        symbols = _symbols(found) if most > 0 else None
+        if symbols is None or symbols > most or (symbols > BY_HEART and turns_by_weight(candidate)):
+            return ""
+        return f"{_counted(laws)}, a formula of {symbols} symbols"
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """Yield the laws of the solution."""
+        found = _derivation(candidate)
+        if found is not None:
+            yield f"{_counted(number_of_laws(found))}, by {found.strategy}"
+            yield f"symbols in the formula: {_symbols(found) or 'too many, or an integral'}"
+            if turns_by_weight(candidate):
+                yield TURNS
+
+
+def _symbols(found: Solution) -> int | None:
+    """Return how many symbols the formulas have that are put into each other, at least; None if they become too long.
+
+    And None of what an integral gives, unless it is all there is, as u ln(m_0/m_1).
+    """
+    try:
+        whole = put_together(found)
+    except ClosedFormError:
+        return None
+    return None if number_of_laws(found) > 1 and has_logarithm(whole) else size(whole)
+
+
+def _counted(laws: int) -> str:
+    return f"{laws} law{'' if laws == 1 else 's'}"
+
+
+def _derivation(candidate: Candidate) -> Solution | None:
+    """Return what leads to a formula; None where nothing is looked for, or found."""
+    study, words = candidate.study, candidate.words
+    if candidate.kind.beyond_laws or words is None or not words.symbols or study.mechanism is not study.scene.mechanism:
+        return None
+    if len(study.mechanism.coordinates) > LARGEST or study.trace.story(candidate.time):
+        return None
+    found = derivation(candidate.question.query, study, words)
+    return found if found.derived else None
+
+
+FILTERS.add(FEW_LAWS, FewLaws())
+
+
+class FewSymbols(Filter):
+    """The formula holds fewer numbers of bodies and of the question than must move an answer in numbers.
+
+    The numbers of the world, as g, do not count there either. Or it lacks more of the symbols than of an answer in
+    numbers may be idle: where a spring passes its natural length, nothing hangs on its stiffness.
+    """
+
+    order = 1
+
+    def reason(self, candidate: Candidate) -> str:
+        """Count them, whatever their powers."""
+        formula = candidate.question.formula
+        if formula is None:
+            return ""
+        wanted, told = least(candidate), len(formula.symbols)
+        if len(formula.within) < wanted:
+            return f"{len(formula.within)} symbols of {wanted}"
+        return f"idle symbols: {len(formula.without)} of {told}" if len(formula.without) > EVER * told else ""
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """Yield how many symbols the formula holds and lacks."""
+        formula = candidate.question.formula
+        if formula is not None:
+            yield f"{len(formula.within)} symbols of bodies and of the question; {least(candidate)} must be there"
+            yield f"{len(formula.without)} of all {len(formula.symbols)} symbols are missing; up to {EVER:.0%} may be"
+
+
+FILTERS.add("few symbols", FewSymbols())
+
+
+class OneLine(Filter):
+    """The answer is no more than a product of a few stated numbers, or a sum of two, as F/(m + M) or √(v² + 2 g h).
+
+    So is whatever is read off a formula that everybody knows: a period, a free fall, a weight on a slope. What rolls or
+    swings by its weight is kept, as by `few laws`: a law of motion and a law of turning hold together there, whatever
+    comes out, as the friction ½ m g sin θ on a pipe that rolls down.
+    """
+
+    order = 9
+
+    def reason(self, candidate: Candidate) -> str:
+        """See how the answer goes with each number, and whether that is all there is to it."""
+        if candidate.easy or candidate.kind.measured(candidate.question.query).whole:
+            return ""
+        line = product_of(candidate) or sum_of(candidate)
+        return "" if line and turns_by_weight(candidate) else line
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """Yield the product or sum, if it is one."""
+        yield (
+            product_of(candidate) or sum_of(candidate) or "the answer is no product of stated numbers, nor a sum of two"
+        )
+        if turns_by_weight(candidate):
+            yield TURNS
+
+
+FILTERS.add("one line", OneLine())

@@ -1,0 +1,111 @@
+"""Filters that look at the worked solution."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from sim2reason.generation.filters import FILTERS, Candidate, Filter
+from sim2reason.questions.need import EVERY
+from sim2reason.solutions import STRATEGIES, Setting, by
+from sim2reason.solutions.difficulty import LABELS
+from sim2reason.solutions.reverse import forward
+
+
+class Derivable(Filter):
+    """No worked solution derives the answer, as nobody would on paper, though the kind of question calls for that."""
+
+    order = 9
+
+    def reason(self, candidate: Candidate) -> str:
+        """Try every strategy that integrates nothing."""
+        return "only an integration leads to it" if candidate.kind.derivable and not _derived(candidate) else ""
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """Yield the strategy that leads to the answer."""
+        if candidate.kind.derivable and (found := _derived(candidate)):
+            yield f"it is derived by: {found}"
+
+
+def _derived(candidate: Candidate) -> str:
+    """Return the strategy by which it is; empty if there is none."""
+    query, study = candidate.question.query, candidate.study
+    return study.once(("derived by", query), lambda: _found(candidate))
+
+
+def _found(candidate: Candidate) -> str:
+    query, study, words = candidate.question.query, candidate.study, candidate.words
+    if words is None or not words.symbols or study.mechanism is not study.scene.mechanism:
+        return "none that is known"
+    setting = forward(Setting(study.scene, words, words.symbols, study, query))
+    if not query.hides:
+        setting = replace(setting, unknown="", stated=None, sought=None)
+    offered = (held for held in STRATEGIES.values() if query.kind in held.kinds and not held.integrates)
+    tried = sorted(offered, key=lambda held: held.cost)
+    return next((held.name for held in tried if by(held, setting).answer is not None), "")
+
+
+FILTERS.add("derivable", Derivable())
+
+
+TOO_EASY, TOO_HARD = "too easy", "too hard"
+COUNTED = frozenset({f"difficulty: {TOO_EASY}", f"difficulty: {TOO_HARD}"})
+"""Under which names a manifest counts what it refuses."""
+
+
+class FitsLabel(Filter):
+    """The score of the shortest solution, or of those of all parts together, lies outside the band of the label.
+
+    Nothing is said of a question of no label, or one that only an integration answers.
+    """
+
+    order = 5
+
+    def ready(self, candidate: Candidate) -> bool:
+        """Return whether the shortest solution is cached; if so, this filter is cheap enough to run first."""
+        return candidate.is_solved
+
+    def reason(self, candidate: Candidate) -> str:
+        """Compare the score with the band."""
+        if not candidate.labelled or candidate.measured is None:
+            return ""
+        score, band = candidate.measured.score, LABELS[candidate.difficulty]
+        if score in band:
+            return ""
+        return f"{TOO_HARD if score > band.most else TOO_EASY}: a score of {score} for {candidate.difficulty}"
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """Yield what is measured."""
+        found = candidate.measured
+        if found is not None:
+            yield f"laws {found.laws}, phases {found.phases}, unknowns together {found.unknowns}, score {found.score}"
+
+
+FILTERS.add("difficulty", FitsLabel())
+
+
+class Needs(Filter):
+    """The shortest worked solution needs what is not allowed, such as a numerical root.
+
+    By default few questions may need more than elementary means, see `datasets.needs`.
+    """
+
+    order = 5
+
+    def ready(self, candidate: Candidate) -> bool:
+        """Return whether the shortest solution is cached; if so, this filter is cheap enough to run first."""
+        return candidate.is_solved
+
+    def reason(self, candidate: Candidate) -> str:
+        """Look at the solution, unless anything is allowed."""
+        if candidate.needs == EVERY or candidate.solution is None:
+            return ""
+        need = candidate.solution.needs
+        return "" if need in candidate.needs else f"{need.label}: it needs that"
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """Yield what it needs."""
+        if candidate.solution is not None:
+            strategy = candidate.solution.strategy
+            yield f"{candidate.solution.needs.label}, by {strategy or 'nothing but integration'}"
+
+
+FILTERS.add("needs", Needs())

@@ -1,0 +1,174 @@
+"""Draw scenes and ask about them until one question passes every filter: the kinds of question by their weights."""
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.generation.certified import CertifiedQuestion
+from sim2reason.generation.filters.well_known import FEW_LAWS
+from sim2reason.generation.filters.worked_solutions import COUNTED
+from sim2reason.generation.forms import formed
+from sim2reason.generation.needs import allowed
+from sim2reason.generation.question_search import NOTHING, UNSUITED, QuestionSearch
+from sim2reason.generation.random_scenes import generator
+from sim2reason.generation.recipes import RECIPES, difficulty_named
+from sim2reason.generation.request import Request
+from sim2reason.generation.weights import in_drawn_order
+from sim2reason.questions import KINDS, MODES
+from sim2reason.questions.difficulty import Difficulty
+
+SCENES = 60  # drawn for one item, at most
+TOGETHER = 2  # of them are asked for the first kind before another one has its turn
+TRIES = 2  # questions of one kind about one scene
+EMPTY = 40  # scenes that offer nothing at all, after which none is expected to: most cost no more than their draw
+OTHERS = 3  # times that other kinds have their turn with these scenes, before new ones are drawn
+KNOWN = 4  # questions of one kind that few laws answer, after which it is asked last: most scenes of a cell are alike
+REFUSED = 6  # questions of one kind that any filter refuses, after which it is asked last, too
+UNFIT = 120  # times that all draws of a kind need other means, after which none is expected to do
+HOPELESS = 2  # times that all draws of a kind need other means, after which it is asked last: most scenes are alike
+BEYOND = 2  # kinds that need other means, after which a scene is not asked for others
+ABSENT = 3  # scenes that do not offer a kind, after which it is asked last, too
+SETTINGS = SCENES, TOGETHER, TRIES, OTHERS, EMPTY, KNOWN, REFUSED, UNFIT, HOPELESS, BEYOND, ABSENT
+
+Drawn = tuple[QuestionSearch, np.random.Generator]
+
+
+class ItemSearch:
+    """The search for one item: an order of kinds is drawn by their weights, once.
+
+    Each scene is asked the first kind of that order that it offers. Only where this fails in a few scenes, those
+    scenes, which are simulated by then, are asked other kinds, and the next few begin with the next kind. So what is
+    hard to pass is hardly kept less often. But what a textbook has ready is no problem about the next scene, either.
+    """
+
+    def __init__(self, request: Request) -> None:
+        """UnknownNameError for a name that is not known."""
+        self._request, self._mode, self._recipe = request, MODES[request.mode], RECIPES[request.recipe]
+        self._difficulty: Difficulty = difficulty_named(request.difficulty)
+        self._kinds = in_drawn_order(request.mode, request.recipe, request.weights, self._generator("kinds"))
+        self._needs = allowed(request)
+        self.rejected: Counter[str] = Counter()
+        self._known: Counter[str] = Counter()  # questions that few laws answer, by kind
+        self._refused: Counter[str] = Counter()  # questions that are refused, by kind
+        self._unsuited: Counter[str] = Counter()  # scenes about which all its draws need other means, by kind
+        self._absent: Counter[str] = Counter()  # scenes that do not offer it, by kind
+        self._first = ""  # the first kind of its order that a scene offers
+        self._problems = set[str]()  # kinds with a question of which no textbook has the answer ready
+
+    @property
+    def wanted(self) -> str:
+        """The first kind of its order that a scene offers; empty if a textbook has all its answers ready."""
+        return self._first if self._first in self._problems else ""
+
+    def found(self) -> CertifiedQuestion | None:
+        """Return the first question that passes every filter; None if none does within the budget."""
+        for turn, first in enumerate(range(0, SCENES, TOGETHER)):
+            found = self._among(range(first, first + TOGETHER), self._order(turn))
+            hopeless = not self._first and self.rejected[NOTHING] >= EMPTY
+            hopeless = hopeless or self.rejected[UNSUITED] >= UNFIT
+            if found is not None or hopeless:
+                return found
+        return None
+
+    def _order(self, turn: int) -> list[str]:
+        """Return the kinds in the order of a turn, each turn beginning with the next one.
+
+        A costly kind is asked only in the turn that begins with it.
+        """
+        begin = turn % len(self._kinds)
+        first, *others = *self._kinds[begin:], *self._kinds[:begin]
+        others = [kind for kind in others if not KINDS[kind].costly]
+        return sorted((first, *others), key=self._is_last)
+
+    def _is_last(self, kind: str) -> bool:
+        """Return whether few scenes offer a kind, filters refuse most of its questions, or all need other means."""
+        known = self._known[kind] >= KNOWN or self._absent[kind] >= ABSENT
+        return known or self._refused[kind] >= REFUSED or self._unsuited[kind] >= HOPELESS
+
+    def _among(self, attempts: range, kinds: Sequence[str]) -> CertifiedQuestion | None:
+        """Return a question about one of some scenes."""
+        drawn: list[Drawn] = []
+        for search, rng in self._scenes(attempts):
+            drawn.append((search, rng))
+            found = self._first_kind(search, rng, kinds)
+            if found is not None:
+                return found
+        turns = 0
+        for kind in kinds:
+            for search, rng in drawn:
+                if kind in search.kinds or kind in search.beyond or len(search.beyond) >= BEYOND:
+                    continue
+                found = self._asked(search, rng, kind)
+                turns += kind in search.kinds or kind in search.beyond
+                if found is not None or turns == OTHERS:
+                    return found
+        return None
+
+    def _scenes(self, attempts: range) -> Iterator[Drawn]:
+        """Yield those scenes that can be asked about."""
+        for attempt in attempts:
+            rng = self._generator(attempt)
+            try:
+                scene = self._recipe(self._difficulty, rng)
+                if not self._mode.offers(scene.mechanism):
+                    self.rejected[NOTHING] += 1
+                    continue
+                search = QuestionSearch(
+                    scene,
+                    int(rng.random() * 2**31),
+                    self._difficulty,
+                    unfiltered=self._request.unfiltered,
+                    quantities=frozenset(self._request.quantities),
+                    tolerance=self._request.tolerance,
+                    needs=self._needs,
+                )
+            except (SceneError, SimulationError, UnsupportedError) as error:
+                self.rejected[_counted(error)] += 1
+                continue
+            if search.fault:
+                self.rejected[search.fault] += 1
+            else:
+                yield search, rng
+
+    def _first_kind(
+        self, search: QuestionSearch, rng: np.random.Generator, kinds: Sequence[str]
+    ) -> CertifiedQuestion | None:
+        """Return a question of the first kind that a scene offers."""
+        for kind in kinds:
+            if len(search.beyond) >= BEYOND:
+                return None
+            found = self._asked(search, rng, kind)
+            if kind in search.kinds:
+                self._first = self._first or kind
+                return found
+            self._absent[kind] += 1
+        self.rejected[NOTHING] += 1
+        return None
+
+    def _asked(self, search: QuestionSearch, rng: np.random.Generator, kind: str) -> CertifiedQuestion | None:
+        refused, found = Counter[str](), None
+        try:
+            found = search.ask(self._mode, rng, refused, kind, TRIES)
+            if found is not None:
+                name = self._request.id
+                found = formed(found, search, self._mode, self._difficulty, rng, refused, name)
+        except (SceneError, SimulationError, UnsupportedError) as error:
+            refused[_counted(error)] += 1
+        self._known[kind] += refused[FEW_LAWS]
+        self._refused[kind] += refused.total()
+        self._unsuited[kind] += refused[UNSUITED]
+        if found is not None or refused.keys() - {FEW_LAWS, *COUNTED}:
+            self._problems.add(kind)
+        self.rejected.update(refused)
+        return found
+
+    def _generator(self, name: object) -> np.random.Generator:
+        asked = self._request
+        return generator(asked.recipe, asked.difficulty, asked.mode, asked.seed, asked.index, name)
+
+
+def _counted(error: Exception) -> str:
+    """Under which name a manifest counts an error."""
+    return type(error).__name__.removesuffix("Error").lower()

@@ -1,0 +1,217 @@
+"""The maker of items: a pure function of recipe, difficulty, mode, seed and index."""
+
+import hashlib
+import json
+from collections.abc import Callable, Sequence
+
+from pydantic import JsonValue
+
+from sim2reason.generation import item_search, part_search, question_search
+from sim2reason.generation.certified import CertifiedQuestion
+from sim2reason.generation.distractors import distractors, idle_numbers, idle_parts
+from sim2reason.generation.filters import Candidate
+from sim2reason.generation.in_units import told_in
+from sim2reason.generation.item import (
+    Answer,
+    Binding,
+    Distractor,
+    FormulaRecord,
+    Item,
+    MeasuredDifficulty,
+    Provenance,
+    QueryRecord,
+    QuestionPart,
+)
+from sim2reason.generation.item_search import ItemSearch
+from sim2reason.generation.made import Made, versions
+from sim2reason.generation.options import values
+from sim2reason.generation.request import Request
+from sim2reason.generation.worked_solutions import recorded, worked, worked_parts
+from sim2reason.questions import KINDS, Formula
+from sim2reason.questions.choice_prompts import LETTERS, ChoicePrompt, amounts
+from sim2reason.questions.kinds.parts.which import WhichKind, WhichQuery
+from sim2reason.questions.need import greatest
+from sim2reason.questions.parse_prompt import without_form
+from sim2reason.questions.spoken_units import system_named
+from sim2reason.scenes.files import Wording, dump
+from sim2reason.simulation.certify import Certificate
+from sim2reason.solutions.difficulty import SolutionDifficulty
+from sim2reason.text.prose.description import Description
+from sim2reason.text.prose.formula_numbers import counted_in
+
+SETTINGS = hashlib.sha256(
+    json.dumps([*item_search.SETTINGS, *question_search.SETTINGS, *part_search.SETTINGS]).encode()
+).hexdigest()[:16]
+
+
+def make(request: Request) -> Made:
+    """Draw scenes and questions until one passes every filter; UnknownNameError for a name that is not known."""
+    search = ItemSearch(request)
+    found = search.found()
+    item = item_of(request, found) if found is not None else None
+    return Made(item, dict(search.rejected), search.wanted)
+
+
+def item_of(request: Request, found: CertifiedQuestion) -> Item:
+    """Return the record of a question that passed."""
+    scene = found.description.scene
+    question = found.question
+    solution, unsolved = recorded(worked(request, found)) if request.solutions else (None, "")
+    item = Item(
+        id=request.id,
+        prompt=found.prompt,
+        shape=found.shape,
+        answer=answer_of(found),
+        mode=request.mode,
+        kind=question.query.kind,
+        recipe=request.recipe,
+        difficulty=request.difficulty,
+        entities=tuple(type(named.entity).__name__ for named in scene.entities),
+        asked=_query_of(found),
+        needs=_needs_of(found),
+        measured=_difficulty_of(found.measured) if found.measured is not None else None,
+        parts=_parts_of(request, found),
+        distractors=_wrong_answers(found),
+        idle=_in_all(found, idle_parts),
+        idle_numbers=_in_all(found, idle_numbers),
+        solution=solution,
+        unsolved=unsolved,
+        scene=dump(found.study.scene, _wording_of(found.description)),
+        certificate=summary(found.certificate),
+        provenance=Provenance(
+            recipe=request.recipe,
+            difficulty=request.difficulty,
+            mode=request.mode,
+            seed=request.seed,
+            index=request.index,
+            versions=versions(),
+            settings=SETTINGS,
+            weights=dict(request.weights),
+            units=request.units,
+            needs=request.needs,
+        ),
+    )
+    return told_in(system_named(request.units), with_options(item, found) if found.options else item)
+
+
+def with_options(item: Item, found: CertifiedQuestion) -> Item:
+    """Return a numeric item as a multiple choice."""
+    answer, body, chosen = item.answer, without_form(item.prompt)[0], found.options
+    numbers, letter = tuple(values(answer, chosen)), LETTERS[chosen.index(None)]
+    texts = _names_and(numbers, answer.unit, found)
+    told = answer.model_copy(update={"letter": letter, "options": numbers, "texts": texts})
+    prompt = ChoicePrompt(body, texts or amounts(numbers, answer.unit)).text
+    return item.model_copy(update={"prompt": prompt, "answer": told})
+
+
+def _names_and(numbers: Sequence[float], unit: str, found: CertifiedQuestion) -> tuple[str, ...]:
+    """Return the text of each option that names one of two beside a number; empty if options are numbers alone."""
+    kind, query, words = found.candidate.kind, found.question.query, found.candidate.words
+    if not isinstance(kind, WhichKind) or not isinstance(query, WhichQuery) or words is None:
+        return ()
+    said = zip(amounts([abs(number) for number in numbers], unit), numbers, strict=True)
+    return tuple(kind.option(query, words, size, first=number > 0.0) for size, number in said)
+
+
+def _wrong_answers(found: CertifiedQuestion) -> tuple[Distractor, ...]:
+    """Return those of a question; where it has options, the wrong ones among them, and parts have their own."""
+    if found.parts:
+        return ()
+    if found.options:
+        return tuple(wrong for wrong in found.options if wrong is not None)
+    return distractors(found.candidate, found.description)
+
+
+def _parts_of(request: Request, found: CertifiedQuestion) -> tuple[QuestionPart, ...]:
+    """Return the records of the parts of a problem that has several."""
+    solutions = worked_parts(request, found) if request.solutions else []
+    records = [recorded(solution) for solution in solutions] or [(None, "")] * len(found.parts)
+    return tuple(
+        QuestionPart(
+            text=part.text,
+            kind=part.certified.question.query.kind,
+            asked=_query_of(part.certified),
+            uses=part.uses,
+            distractors=distractors(part.certified.candidate, found.description),
+            solution=solution,
+            unsolved=unsolved,
+            certificate=summary(part.certified.certificate),
+        )
+        for part, (solution, unsolved) in zip(found.parts, records, strict=True)
+    )
+
+
+def _in_all(found: CertifiedQuestion, idle: Callable[[Candidate, Description], tuple[str, ...]]) -> tuple[str, ...]:
+    """Return what has no bearing on any part."""
+    candidates = [part.certified.candidate for part in found.parts] or [found.candidate]
+    each = [idle(candidate, found.description) for candidate in candidates]
+    return tuple(name for name in each[0] if all(name in others for others in each[1:]))
+
+
+def _wording_of(description: Description) -> Wording:
+    """Return how the prompt words its scene, so that a figure made from the scene file alone uses the same names."""
+    return Wording(description.seed, description.symbolic, tuple(sorted(description.without)))
+
+
+def answer_of(found: CertifiedQuestion) -> Answer:
+    """Return the record of its answer, or of those to its parts."""
+    question, tolerance = found.question, found.candidate.tolerance
+    formula = _formula_of(question.formula, question.unit) if question.formula is not None else None
+    return Answer(
+        value=question.answer,
+        unit=question.unit,
+        sign=question.sign,
+        tolerance=tolerance,
+        formula=formula,
+        parts=tuple(answer_of(part.certified) for part in found.parts),
+    )
+
+
+def _formula_of(formula: Formula, unit: str) -> FormulaRecord:
+    """Return the record of a formula for an answer that is asked for in `unit`."""
+    pairs = zip(formula.points, formula.values, strict=True)
+    return FormulaRecord(
+        latex=formula.latex,
+        symbols=formula.symbols,
+        units=tuple(map(counted_in, formula.units)),
+        unit=counted_in(unit),
+        bindings=tuple(Binding(numbers=numbers, answer=answer) for numbers, answer in pairs),
+    )
+
+
+def _needs_of(found: CertifiedQuestion) -> str:
+    """Return the most advanced mathematics that a solution takes, of all parts if there are several."""
+    parts = [part.certified for part in found.parts] or [found]
+    return greatest(part.shortest.needs for part in parts).label
+
+
+def _difficulty_of(taken: SolutionDifficulty) -> MeasuredDifficulty:
+    return MeasuredDifficulty(laws=taken.laws, phases=taken.phases, unknowns=taken.unknowns, score=taken.score)
+
+
+def _query_of(found: CertifiedQuestion) -> QueryRecord:
+    """Return the record of what is asked."""
+    query, given = found.question.query, found.question.given
+    kind = KINDS[query.kind]
+    return QueryRecord(
+        subject=query.subject,
+        quantity=kind.measured(query).name,
+        time=kind.time(query, found.study),
+        event=query.moment.label if query.moment is not None else None,
+        unknown=found.question.unknown or None,
+        limit_of=query.hides or None,
+        given=given.value if given is not None else None,
+        given_unit=given.unit if given is not None else None,
+    )
+
+
+def summary(certificate: Certificate) -> dict[str, JsonValue]:
+    """Return what an item says of its certificate: the worst difference, the tolerance, until when, by whom."""
+    worst = max(certificate.agreement.values(), default=0.0)
+    return {
+        "engines": list(certificate.engines),
+        "tolerance": certificate.tolerance,
+        "worst": worst,
+        "stable_until": certificate.stable_until,
+        "events": len(certificate.matched),
+    }

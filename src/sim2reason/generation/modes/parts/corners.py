@@ -1,0 +1,187 @@
+"""Numbers at which a formula ceases to hold, or has no value."""
+
+from collections.abc import Callable, Iterator, Sequence
+from itertools import chain, islice
+from math import inf
+
+import numpy as np
+
+from sim2reason.generation.modes.parts.problem_symbol import Variation
+from sim2reason.generation.modes.parts.variations import Variations
+from sim2reason.scenes.dsl.constancy import changing
+from sim2reason.scenes.dsl.state import Array
+from sim2reason.solutions.algebra.expressions import Expression
+from sim2reason.solutions.algebra.functions import values
+
+Margin = Callable[[Variation], float | None]
+"""How far a scene is from where something is no longer done; None where that says nothing."""
+
+GUESSES, CORNER_SEED = 4000, 0  # choices of ends that are guessed for
+STARTS = 2  # of the known scenes, that are gone on from beside the best guess
+CLOSE = 0.1  # margin: if one start leads no closer to the end, others hardly ever do (2 of 230 searches)
+FINE = 5  # factors of the numbers that the question says
+SAME = 1e-9  # of a margin: less is no change
+
+
+def leaving(
+    variations: Variations, margin: Margin, others: Sequence[Margin], known: Sequence[Variation]
+) -> Variation | None:
+    """The scene, with each number at an end of its range, that minimises a margin while all others stay positive.
+
+    Which ends these are is guessed as if all that each of them changes, as is `known` of it alone, added up. From the
+    best guess on, and from some scenes that are `known`, each number is tried at its ends. None if nothing is known of
+    the margin.
+    """
+    own = variations.own()
+    here = [each(own) for each in (margin, *others)] if own is not None else [None]
+    if own is None or here[0] is None:
+        return None
+    told = [each for each, found in zip((margin, *others), here, strict=True) if found is not None]
+    factors, changes = _alone(variations, told, known, own)
+    ends = np.random.default_rng(CORNER_SEED).integers(0, factors.shape[1], (GUESSES, len(factors)))
+    for n, held in enumerate(variations.symbols):  # what is asked about comes sooner, where that is all the same
+        if not held.path and np.abs(changes[0, n]).max() <= SAME:
+            ends[:, n] = np.argmin(factors[n])
+    start = np.array([found for found in here if found is not None])
+    guessed = start[:, None] + changes[:, np.arange(len(factors)), ends].sum(2)
+    fitting = np.flatnonzero((guessed[1:] > 0.0).all(0))
+    starts = _least(told, known, own)
+    if fitting.size:
+        starts.append(factors[np.arange(len(factors)), ends[fitting[np.argmin(guessed[0, fitting])]]].tolist())
+    best: tuple[Variation | None, float] = None, inf
+    for times in starts:
+        best = min(best, _descended(variations, told, factors, times), key=lambda found: found[1])
+        if best[1] <= 0.0 or CLOSE < best[1] < inf:
+            break
+    return best[0]
+
+
+def _least(told: Sequence[Margin], known: Sequence[Variation], own: Variation) -> list[list[float]]:
+    """What multiplies the numbers in those scenes whose margin is least while the others are more than nothing."""
+    within = [other for other in known if all((each(other) or 0.0) > 0.0 for each in told[1:])]
+    margins = {n: found for n, other in enumerate(within) if (found := told[0](other)) is not None}
+    least = sorted(margins, key=lambda n: margins[n])[:STARTS]
+    return [[by / own.values[symbol] for symbol, by in within[n].values.items()] for n in least]
+
+
+def _alone(
+    variations: Variations, told: Sequence[Margin], known: Sequence[Variation], own: Variation
+) -> tuple[Array, Array]:
+    """What each end multiplies each number by, (n, s), and by how much that alone changes each margin, (m, n, s).
+
+    The first is the number itself; those that are fewer than others have it several times.
+    """
+    here, single = np.array([each(own) or 0.0 for each in told]), list[dict[float, Array]]()
+    for held in variations.symbols:
+        others = [other for other in known if _moved(other, own) == [held.symbol]]
+        gained = {o.values[held.symbol] / own.values[held.symbol]: [each(o) or 0.0 for each in told] for o in others}
+        single.append({1.0: 0.0 * here, **{by: np.array(found) - here for by, found in gained.items() if by > 0.0}})
+    most = max(map(len, single))
+    factors = np.array([[*found, *([1.0] * (most - len(found)))] for found in single])
+    changes = np.array([[found.get(by, 0.0 * here) for by in row] for found, row in zip(single, factors, strict=True)])
+    return factors, changes.transpose(2, 0, 1)
+
+
+def _moved(other: Variation, own: Variation) -> list[str]:
+    return [symbol for symbol, value in other.values.items() if value != own.values[symbol]]
+
+
+def _descended(
+    variations: Variations, told: Sequence[Margin], factors: Array, times: list[float]
+) -> tuple[Variation | None, float]:
+    """A scene with its numbers multiplied, then each by another factor where that lessens the first margin; and that.
+
+    Once each: beyond that hardly anything changes. What is asked about may come at the wrong time for that at both
+    ends: its numbers have some factors in between.
+    """
+
+    def at(times: Sequence[float]) -> tuple[Variation | None, float]:
+        found = variations.having([held.value * by for held, by in zip(variations.symbols, times, strict=True)], [])
+        if found is None or any((each(found) or 0.0) < 0.0 for each in told[1:]):
+            return found, inf
+        least = told[0](found)
+        return found, inf if least is None else least
+
+    found = at(times)
+    for n, held in enumerate(variations.symbols):
+        for factor in _steps(factors[n], fine=not held.path):
+            if found[1] <= 0.0:
+                return found
+            other = [*times[:n], factor, *times[n + 1 :]]
+            if other != times and (better := at(other))[1] < found[1]:
+                times, found = other, better
+    return found
+
+
+def _steps(factors: Array, *, fine: bool) -> list[float]:
+    least, most = float(factors.min()), float(factors.max())
+    between: list[float] = np.geomspace(least, most, FINE).tolist()
+    return between if fine else [least, 1.0, most]
+
+
+DRAWN, COUNTEREXAMPLE_SEED = 2000, 0  # sets of numbers for which the formula is worked out
+CHANGED = 0.3  # of the numbers of every second set: the others are the scene's own
+SIMULATED = (
+    600,
+    60,
+)  # of those where it is negative, and of those without a value, at most; where motions are integrated
+CLOSEST, SCATTERED = 8, 8  # so many of either first; if there is an answer in none of these scenes, that is all
+OTHER_SIGN = 3.0  # the distance of a number from itself with the other sign, as of one e³ times as large
+TINY = 1e-9  # of the answer: a size of less is none, whatever its sign
+
+
+def counterexample(
+    variations: Variations,
+    formula: Expression,
+    is_counterexample: Callable[[Variation], bool],
+    width: float,
+    *,
+    signed: bool,
+) -> Variation | None:
+    """Return a scene that is a counterexample, sought where the formula is negative, if not `signed`, or has no value.
+
+    Numbers are the scene's own times factors whose logarithms are at most `width`, all or some of them; half of them
+    have any signs. None if none is found.
+    """
+    own = variations.own()
+    if own is None:
+        return None
+    drawn = _drawn(variations, width)
+    found = values(formula, variations.columns(drawn))
+    negative = drawn[:0] if signed else drawn[found < -TINY * abs(own.answer)]
+    each = (_tried(variations, unfit, is_counterexample) for unfit in (negative, drawn[np.isnan(found)]))
+    return next((other for other in each if other is not None), None)
+
+
+def _tried(variations: Variations, unfit: Array, is_counterexample: Callable[[Variation], bool]) -> Variation | None:
+    """Return the first counterexample among some sets of numbers, (n, s)."""
+    here, answered = np.array([held.value for held in variations.symbols]), False
+    distance = (np.abs(np.log(np.abs(unfit / here))) + OTHER_SIGN * (unfit * here < 0.0)).sum(1)
+    most = SIMULATED[bool(changing(variations.study.mechanism))]
+    for tried, number in enumerate(_in_turn(np.argsort(distance, kind="stable").tolist(), most)):
+        if tried == CLOSEST + SCATTERED and not answered:
+            return None
+        other = variations.having(unfit[number].tolist(), [])
+        if other is not None and is_counterexample(other):
+            return other
+        answered = answered or other is not None
+    return None
+
+
+def _in_turn(closest: list[int], most: int) -> Iterator[int]:
+    """Yield the closest, some from everywhere, and then the next to these, `most` at most."""
+    first, beyond = closest[:CLOSEST], closest[CLOSEST:]
+    scattered = beyond[:: max(1, len(beyond) // SCATTERED)][:SCATTERED]
+    rest = (number for number in beyond if number not in scattered)
+    yield from islice(chain(first, scattered, rest), most)
+
+
+def _drawn(variations: Variations, width: float) -> Array:
+    """Numbers around the scene's own, (n, s), no set of them twice."""
+    rng, here = np.random.default_rng(COUNTEREXAMPLE_SEED), np.array([held.value for held in variations.symbols])
+    changed = rng.random((DRAWN, len(here))) < np.where(np.arange(DRAWN) % 2, CHANGED, 1.0)[:, None]
+    drawn = here * np.exp(np.where(changed, rng.uniform(-width, width, changed.shape), 0.0))
+    may = np.array([held.signed for held in variations.symbols])
+    drawn[DRAWN // 2 :] *= np.where(may, rng.choice((-1.0, 1.0), (DRAWN - DRAWN // 2, len(here))), 1.0)
+    found: Array = np.unique(drawn, axis=0)
+    return found

@@ -1,0 +1,256 @@
+"""Where a formula must hold: scenes with other numbers, and what a text must assume to leave out the rest."""
+
+from collections.abc import Iterator, Sequence
+from functools import partial
+from itertools import chain, combinations
+
+import numpy as np
+
+from sim2reason.generation.modes.parts.corners import Margin, counterexample, leaving
+from sim2reason.generation.modes.parts.problem_symbol import ProblemSymbol, Variation
+from sim2reason.generation.modes.parts.variations import Variations
+from sim2reason.questions import Formula, Study, Words
+from sim2reason.questions.regimes import FEW, Regime, regimes
+from sim2reason.solutions.algebra.expressions import Expression
+from sim2reason.solutions.closed_forms import LONGEST, ClosedForm, ClosedFormError, shortened
+
+POINTS = 8  # beside the scene's own
+NEAR = (0.25, 0.08)  # relative: how far around the scene's numbers they lie, as far as its regime goes
+WIDE = 1.1  # up to three times or a third of each: where the formula must hold, too, unless a regime is assumed
+TRIES, ACROSS = 16, 4
+SAME = 1e-6  # relative: how well the formula agrees with the engine
+COUNTEREXAMPLES = 4  # after which there seems to be no end of them
+CLOSE = 1e-3  # relative: what misses by more does not miss by the engine's steps
+
+
+class FormulaValidity:
+    """In which scenes with other numbers a formula holds; each is simulated when it is first needed."""
+
+    def __init__(self, variations: Variations, factor: float) -> None:
+        """`factor` makes the engine's answers those of formulas: radians of degrees."""
+        self._variations, self._factor = variations, factor
+        self._whole: tuple[Expression, ...] = ()  # the formula as its derivation left it: what cancels has signs, too
+        self._signed = False  # whether the sign of the answer is asked for
+        self._near: list[Variation] = []
+        self._wide: list[Variation] = []
+        self._more: Iterator[Variation] | None = None
+        self._left = set[tuple[Regime, tuple[Regime, ...]]]()  # what was led out of, while what held
+        self._unanswered: list[Study] = []  # motions far from the scene's own in which there is no answer
+
+    def of_scene(self, whole: Expression) -> bool:
+        """Return whether a formula holds with the scene's own numbers, which are those that cost least."""
+        own = self._variations.own()
+        self._near = [own] if own is not None and self._agrees(whole, own) else []
+        return bool(self._near)
+
+    def told(
+        self, whole: Expression, rng: np.random.Generator, words: Words, *, signed: bool
+    ) -> tuple[ClosedForm, tuple[Regime, ...]] | None:
+        """Return the formula as a text asks for it, and what that must assume; None if none agrees with the engine.
+
+        Where no sign is asked for, sizes stand between bars if no few regimes fix their signs.
+        """
+        self._whole, self._signed = (whole,), signed
+        if not self.near(whole, rng):
+            return None
+        try:
+            found = shortened(whole)
+        except ClosedFormError:
+            return None
+        assumed = self.assumed(found, rng, words)
+        if assumed is None and self._wide and not signed:
+            found, assumed = self._sized(found, rng, words)
+        if assumed is None:
+            return None
+        found = self._plainer(found, assumed, rng, words)
+        found = found.with_positive_factors([other.values for other in self._near])
+        fits = all(self._agrees(found.expression, other) for other in self._near)
+        return (found, assumed) if fits and len(found.latex) <= LONGEST else None
+
+    def _sized(
+        self, formula: ClosedForm, rng: np.random.Generator, words: Words
+    ) -> tuple[ClosedForm, tuple[Regime, ...] | None]:
+        """Return its absolute value, and what it assumes; no bars around what has one sign wherever that is so."""
+        found = formula.of_sizes([other.values for other in (*self._near, *self._wide)])
+        assumed = self.assumed(found, rng, words)
+        if not assumed:
+            return found, assumed
+        among = [other.values for other in (*self._near, *self._wide) if not self._leaving_out(other, assumed)]
+        plainer = formula.of_sizes(among)
+        return (plainer if self.assumed(plainer, rng, words) == assumed else found), assumed
+
+    def near(self, formula: Expression, rng: np.random.Generator) -> bool:
+        """Return whether as many fresh numbers as are needed are found, of one regime with the scene's own."""
+        own = self._near[0]
+        for width in NEAR:
+            found = [own]
+            for other in self._variations.drawn(rng, width, TRIES):
+                if other.story == own.story and self._agrees(formula, other):
+                    found.append(other)
+                if len(found) > POINTS:
+                    self._near = found
+                    return True
+        return False
+
+    def formula(self, found: ClosedForm, symbols: Sequence[ProblemSymbol]) -> Formula:
+        """As a question has it."""
+        own = [held.symbol for held in symbols if not held.of_world]
+        return Formula(
+            found.latex,
+            tuple(held.symbol for held in symbols),
+            tuple(held.unit for held in symbols),
+            tuple(tuple(each.values[held.symbol] for held in symbols) for each in self._near),
+            tuple(each.answer * self._factor for each in self._near),
+            tuple(symbol for symbol in own if symbol in found.symbols),
+            tuple(symbol for symbol in own if symbol not in found.symbols),
+        )
+
+    def assumed(self, formula: ClosedForm, rng: np.random.Generator, words: Words) -> tuple[Regime, ...] | None:
+        """Return the fewest regimes that leave no scene in which the formula does not hold; None if no few do.
+
+        And those that are told always, first of all. Once they are chosen, a counterexample is looked for.
+        """
+        for _ in range(COUNTEREXAMPLES):
+            found = self._chosen(formula, rng, words)
+            if found is None:
+                return None
+            missed = partial(self._missed, formula.expression, found)
+            other = counterexample(self._variations, formula.expression, missed, WIDE, signed=self._signed)
+            if other is None:
+                return found
+            self._wide.append(other)
+        return None
+
+    def _chosen(self, formula: ClosedForm, rng: np.random.Generator, words: Words) -> tuple[Regime, ...] | None:
+        """The fewest regimes that leave no scene that was found in which the formula does not hold; None if no few do.
+
+        Scenes are looked for far from the scene's own, and then where what the scene does is left though all that is
+        told holds: a string may go slack, or what slides stick, without a sum in the formula turning its sign.
+        """
+        kept = self._shared(words)
+        excluding: list[set[Regime]] = []
+        for other in self._widely(formula.expression, rng):
+            if not self._agrees(formula.expression, other):
+                excluding.append(self._leaving_out(other, kept))
+                if not excluding[-1]:
+                    return None
+        chosen = self._fewest(kept, excluding)
+        for held in kept:  # that may be what matters
+            matters = chosen is not None and (held.unseen or any(held in left for left in excluding))
+            other = self._leaving(held, chosen) if chosen is not None and matters else None
+            if other is not None and not self._agrees(formula.expression, other):
+                excluding.append(self._leaving_out(other, kept))
+                chosen = self._fewest(kept, excluding)
+        return chosen
+
+    def _fewest(self, kept: Sequence[Regime], excluding: Sequence[set[Regime]]) -> tuple[Regime, ...] | None:
+        """Return the fewest regimes of which one at least is in each of some sets, with all that are told always.
+
+        Where some few do, they also leave no scene that begins in another way or loses one, and then has no answer: a
+        text that does not exclude that seems to ask for it, too.
+        """
+        told = {held for held in kept if held.always_told(self._near[0].study)}
+        begun = [*excluding, *self._begun_otherwise(kept)]
+        fitting = [some for some in _some(kept, max(FEW, len(told) + 1)) if told.issubset(some)]
+        for left in (begun, excluding):
+            if not left and not told:
+                return ()
+            chosen = next((some for some in fitting if all(not held.isdisjoint(some) for held in left)), None)
+            if chosen is not None:
+                return chosen
+        return None
+
+    @staticmethod
+    def _leaving_out(other: Variation, kept: Sequence[Regime]) -> set[Regime]:
+        """Return the regimes of which each leaves out a scene."""
+        return {held for held in kept if not held.holds(other.study, other.until)}
+
+    def _missed(self, formula: Expression, told: Sequence[Regime], other: Variation) -> bool:
+        """Return whether a formula does not hold in a scene which is as told."""
+        return not self._leaving_out(other, told) and not self._agrees(formula, other)
+
+    def _leaving(self, held: Regime, told: Sequence[Regime]) -> Variation | None:
+        """Return a scene that is not in a regime, or as close to its end as can be, though what is told may still hold.
+
+        None where there has been one.
+        """
+        if held in told or (held, tuple(told)) in self._left:
+            return None
+        self._left.add((held, tuple(told)))
+        among = [other for other in self._wide if not self._leaving_out(other, told)]
+        if not all(held.holds(other.study, other.until) for other in among):
+            return None
+        found = leaving(self._variations, _margin(held), [_kept(each) for each in told], self._wide)
+        self._wide += [found] if found is not None else []
+        return found
+
+    def _plainer(
+        self, formula: ClosedForm, assumed: tuple[Regime, ...], rng: np.random.Generator, words: Words
+    ) -> ClosedForm:
+        """Without roots of squares: with what is squared as it is where that needs no more regimes, or its size."""
+        sized = formula.without_roots_of_squares()
+        if sized == formula:
+            return formula
+        signed = formula.without_roots_of_squares(self._near[0].values)
+        fits = all(self._agrees(signed.expression, other) for other in self._near)
+        return signed if fits and self.assumed(signed, rng, words) == assumed else sized
+
+    def _widely(self, formula: Expression, rng: np.random.Generator) -> Iterator[Variation]:
+        """With numbers far from the scene's own."""
+        yield from self._wide
+        self._more = self._more or chain(
+            self._variations.across(rng, NEAR[-1], ACROSS),
+            self._variations.turned(rng, (formula, *self._whole), WIDE, self._unanswered),
+            self._variations.one_by_one(WIDE, self._unanswered),
+            self._variations.mirrored(rng, WIDE),
+            self._variations.widely(rng, WIDE, self._unanswered),
+        )
+        for other in self._more:
+            self._wide.append(other)
+            yield other
+
+    def _shared(self, words: Words) -> list[Regime]:
+        """Return the regimes of all scenes that are near."""
+        own, *others = self._near
+        found = regimes(own.study, words, own.until)
+        if own.query.hides:  # the text does not tell the motion
+            found = [held for held in found if held.regardless_of(own.study, own.query.hides)]
+        return [held for held in found if all(held.holds(other.study, other.until) for other in others)]
+
+    def _begun_otherwise(self, kept: Sequence[Regime]) -> Iterator[set[Regime]]:
+        """For each scene without an answer, the regimes that it is not in from the very start on, or loses, if any."""
+        own = self._near[0].study
+        first = [held for held in kept if held.holds(own, 0.0)]
+        found = ({h for h in first if not h.holds(other, 0.0) or h.is_lost(other)} for other in self._unanswered)
+        yield from filter(None, found)
+
+    def _agrees(self, formula: Expression, other: Variation) -> bool:
+        try:
+            found = formula.value(other.values)
+        except (ValueError, ZeroDivisionError, OverflowError):
+            return False
+        missed, size = abs(found - other.answer * self._factor), abs(other.answer * self._factor)
+        if not SAME * size < missed <= CLOSE * size:
+            return missed <= SAME * size
+        finer = other.finer  # since what steps err by may grow on the way
+        return finer is not None and self._agrees(formula, finer)
+
+
+def _margin(held: Regime) -> Margin:
+    return lambda other: held.margin(other.study, other.until)
+
+
+def _kept(held: Regime) -> Margin:
+    """Less than nothing wherever it does not hold, whatever its margin at the end of the motion says."""
+
+    def margin(other: Variation) -> float:
+        found = held.margin(other.study, other.until) if held.holds(other.study, other.until) else -1.0
+        return 1.0 if found is None else found
+
+    return margin
+
+
+def _some(found: Sequence[Regime], few: int) -> Iterator[tuple[Regime, ...]]:
+    """Yield one of them, or a few."""
+    for count in range(1, few + 1):
+        yield from combinations(found, count)

@@ -1,0 +1,38 @@
+"""Answers that a formula leads to, so that engines need only say whether they hold."""
+
+from collections.abc import Callable, Mapping
+from contextlib import suppress
+
+from sim2reason.questions import KINDS, Query, Study, Words
+from sim2reason.solutions.algebra.expressions import Expression
+from sim2reason.solutions.closed_forms import ClosedFormError, put_together
+from sim2reason.solutions.derivation import derivation
+from sim2reason.text.prose.formula_numbers import factor
+
+
+def likely_answers(query: Query, study: Study, words: Words, path: str) -> Callable[[float], float] | None:
+    """Return the answer to a query about a limit by the value of the number at an address, as the formula for it says.
+
+    0 where it has no value. None of other queries, and where none is derived.
+    """
+    if not query.hides or path not in words.symbols:
+        return None
+    solution = derivation(query, study, words)
+    try:
+        whole = put_together(solution) if solution.derived else None
+    except ClosedFormError:
+        return None
+    if whole is None:
+        return None
+    symbol, formula = words.symbols[path], whole
+    given = factor(next(p.measure.unit for p in study.scene.parameters if p.path == path))
+    wanted = factor(KINDS[query.kind].measured(query).unit)
+
+    return lambda value: likely_answer(formula, {**solution.values, symbol: given * value}, wanted)
+
+
+def likely_answer(formula: Expression, at: Mapping[str, float], factor: float) -> float:
+    """Return the answer that a formula leads to, which counts in `factor` of its unit; 0 where it has no value."""
+    with suppress(ValueError, ArithmeticError):
+        return formula.value(at).real / factor
+    return 0.0

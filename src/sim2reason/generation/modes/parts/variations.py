@@ -1,0 +1,264 @@
+"""The same question about scenes with other numbers, each simulated by the exact engine."""
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import islice
+from math import copysign, exp, inf
+
+import numpy as np
+
+from sim2reason.base.lazy import cached_property
+from sim2reason.errors import SceneError, SimulationError, UnsupportedError
+from sim2reason.generation.modes.parts.likely_answers import likely_answer
+from sim2reason.generation.modes.parts.problem_symbol import ProblemSymbol, Variation, answered
+from sim2reason.generation.modes.parts.signs import sign_of, sums_in, turns
+from sim2reason.questions import KINDS, Query, Study
+from sim2reason.questions.dependence import roomy
+from sim2reason.questions.study import BEYOND, ENOUGH, SHORTEST
+from sim2reason.scenes.dsl.constancy import changing
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.state import Array
+from sim2reason.simulation.certify import RECORDED
+from sim2reason.simulation.trace import ENGINES, FINEST
+from sim2reason.solutions.algebra.expressions import Expression
+
+LATER = 3.0  # times when something came in the scene that is known, until which it is waited for in others
+LATEST = 4.0  # times that, before nothing is said to come at all
+LOOKED, EACH = 240, 2  # numbers for which the signs of a formula's sums are looked at; how often each is turned
+WIDELY = (160, 40), (24, 24)  # numbers tried, and found to have an answer; where motions are integrated
+TRIES = 4  # at most for each, where most have no answer
+BEYOND_TURN = 0.02  # of the way to numbers that turn a sum's sign: so close behind the turn things are nearly as before
+SOONER = 0.4, 1.2  # times that: so far an orbit is followed at first, and last of these what else is integrated
+STEEPEST, STRAIGHT = 89.0, 180.0  # degrees
+FARTHEST = 2.0  # times the largest of a unit: how far numbers with a sign are shifted
+
+
+@dataclass(frozen=True)
+class Variations:
+    """A query about a scene, in all of whose numbers others can be put."""
+
+    study: Study
+    query: Query
+    symbols: Sequence[ProblemSymbol]
+    formula: Expression | None = None  # which likely gives the answers, if one is known
+    factor: float = 1.0  # which makes the engine's answers those of formulas
+
+    def own(self) -> Variation | None:
+        """With the numbers that it has."""
+        found = answered(self.query, self.study)
+        return None if found is None else Variation(self._counted([held.value for held in self.symbols]), *found)
+
+    def drawn(
+        self, rng: np.random.Generator, width: float, tries: int, unanswered: list[Study] | None = None
+    ) -> Iterator[Variation]:
+        """With every number times a factor whose logarithm is at most `width`; those that have an answer.
+
+        The motions of those that have none are added to `unanswered`.
+        """
+        for values in self._around([held.value for held in self.symbols], rng, width, tries):
+            found = self._at(values, unanswered)
+            if found is not None:
+                yield found
+
+    def widely(self, rng: np.random.Generator, width: float, unanswered: list[Study]) -> Iterator[Variation]:
+        """Many that are drawn so; fewer where motions are integrated, and cost ten times as much."""
+        tries, wanted = WIDELY[bool(changing(self.study.mechanism))]
+        yield from islice(self.drawn(rng, width, tries, unanswered), wanted)
+
+    def across(self, rng: np.random.Generator, width: float, tries: int) -> Iterator[Variation]:
+        """With the question's own numbers on the other side of where the motion starts, and all as far from there.
+
+        Nothing is drawn where they have one side alone.
+        """
+        moment = self.query.moment
+        other = moment.across(self.study.trace) if moment is not None else None
+        if other is None:
+            return
+        numbers = iter(other)
+        mirrored = [held.value if held.path else next(numbers) for held in self.symbols]
+        for values in self._around(mirrored, rng, width, tries):
+            found = self._at(values, None, (self.study.scene.horizon,))
+            if found is not None:
+                yield found
+
+    def turned(
+        self, rng: np.random.Generator, formulas: Sequence[Expression], width: float, unanswered: list[Study]
+    ) -> Iterator[Variation]:
+        """With numbers for which a sum in formulas has another sign than in the scene, or none.
+
+        There they are likely not to hold, and numbers drawn at random may all miss a small such corner. Just beyond the
+        turn, too, where most is as it was; a sum that no number drawn turns is turned on purpose.
+        """
+        here = [held.value for held in self.symbols]
+        sums = [*dict.fromkeys(held for formula in formulas for held in (formula, *sums_in(formula)))]
+        signs, tries = [sign_of(each, self._counted(here)) for each in sums], [0] * len(sums)
+        drawn = [*self._around(here, rng, width, LOOKED)]
+        turning = [self._turns(each, sign, drawn) for each, sign in zip(sums, signs, strict=True)]
+        for number, values in enumerate(drawn):
+            other = [n for n, at in enumerate(turning) if tries[n] < TRIES and at[number]]
+            closer = [self._just_beyond(values, sums[n], signs[n]) for n in other]
+            found = [self.having(numbers, unanswered) for numbers in dict.fromkeys((tuple(values), *closer)) if other]
+            for n in other:
+                tries[n] += TRIES // EACH if any(found) else 1
+            yield from (each for each in found if each is not None)
+        corners = (self._corner(sums[n], width) for n, count in enumerate(tries) if not count)
+        for values in dict.fromkeys(corner for corner in corners if corner is not None):
+            yield from self._moving(values, unanswered)
+
+    def _turns(self, held: Expression, sign: float | None, drawn: Sequence[Sequence[float]]) -> list[bool]:
+        """For which of some numbers a sum has another sign, or none where it has one."""
+        return turns(held, sign, self.columns(np.array(drawn)))
+
+    def columns(self, drawn: Array) -> dict[str, Array]:
+        """Sets of numbers, (n, s), as formulas count them: those under each symbol, (n,)."""
+        return {held.symbol: held.counted(1.0) * numbers for held, numbers in zip(self.symbols, drawn.T, strict=True)}
+
+    def _just_beyond(self, values: Sequence[float], held: Expression, sign: float | None) -> tuple[float, ...]:
+        """Numbers on the way from the scene's own to others, a little beyond where a sum turns its sign."""
+        low, high = 0.0, 1.0
+        while high - low > BEYOND_TURN / 2.0:
+            middle = (low + high) / 2.0
+            beyond = sign_of(held, self._counted(self._towards(values, middle))) != sign
+            low, high = (low, middle) if beyond else (middle, high)
+        return self._towards(values, min(1.0, high + BEYOND_TURN))
+
+    def _towards(self, values: Sequence[float], share: float) -> tuple[float, ...]:
+        """Numbers some share of the way to others, on the logarithmic scale."""
+        return tuple(held.value * (to / held.value) ** share for held, to in zip(self.symbols, values, strict=True))
+
+    def one_by_one(self, width: float, unanswered: list[Study]) -> Iterator[Variation]:
+        """With one number alone far smaller and far larger, than in the scene and than any there in its unit.
+
+        Symbols do not say which of several is the largest, nor whether an angle is acute.
+        """
+        here = [held.value for held in self.symbols]
+        for n, (least, most) in enumerate(zip(self._sizes(min), self._sizes(max), strict=True)):
+            own = abs(here[n])
+            ends = [
+                size * exp(side * width) for sizes, side in (((least, own), -1), ((own, most), 1)) for size in sizes
+            ]
+            ends += [STRAIGHT - own] if self.symbols[n].unit == "deg" else []
+            for end in dict.fromkeys(ends):
+                yield from self._moving([*here[:n], copysign(end, here[n]), *here[n + 1 :]], unanswered)
+
+    def mirrored(self, rng: np.random.Generator, width: float) -> Iterator[Variation]:
+        """With one number alone of the other sign, where it may have either: no text tells which a symbol has.
+
+        Then with any signs and all numbers drawn anew, and again with such numbers shifted, far or a little, which may
+        turn signs while the rest stays as it is. Often where a motion costs little: most of these have no answer, and
+        then are not what a text seems to ask for.
+        """
+        unanswered: list[Study] = []
+        here, may = [held.value for held in self.symbols], np.array([held.signed for held in self.symbols])
+        for n in np.flatnonzero(may).tolist():
+            yield from self._moving([*here[:n], -here[n], *here[n + 1 :]], unanswered)
+        tries = (EACH if changing(self.study.mechanism) else LOOKED) // 2  # of either
+        sizes = self._sizes(max)
+        for drawn in self._around(here, rng, width, tries if may.any() else 0):
+            values = np.array(drawn)
+            signs = np.where(may, rng.choice((-1.0, 1.0), len(may)), 1.0)
+            shifts = rng.uniform(0.0, FARTHEST) * np.array(sizes) * rng.uniform(-1.0, 1.0, len(may))
+            yield from self._moving((values * signs).tolist(), unanswered)
+            yield from self._moving(np.where(may, np.array(here) + shifts, values).tolist(), unanswered)
+
+    def _sizes(self, extreme: Callable[[Iterable[float]], float]) -> list[float]:
+        """For each number, the size of the largest in its unit, or of the smallest."""
+        return [extreme(abs(each.value) for each in self.symbols if each.unit == held.unit) for held in self.symbols]
+
+    def having(self, values: Sequence[float], unanswered: list[Study] | None = None) -> Variation | None:
+        """With some numbers; None if there is no answer then, or an angle would be as good as a right one."""
+        return None if self._is_steep(values) else self._at(values, unanswered)
+
+    def _moving(self, values: Sequence[float], unanswered: list[Study]) -> Iterator[Variation]:
+        found = self.having(values, unanswered)
+        if found is not None:
+            yield found
+
+    def _corner(self, held: Expression, width: float) -> tuple[float, ...] | None:
+        """Numbers, each at an end of its range, for which a sum has another sign; None if it keeps its sign there."""
+        values = [held.value for held in self.symbols]
+        sign = sign_of(held, self._counted(values))
+        for n in range(len(values)):
+            ends = ([*values[:n], values[n] * times, *values[n + 1 :]] for times in (exp(-width), exp(width)))
+            values = min((end for end in ends if not self._is_steep(end)), key=lambda end: self._size(held, end, sign))
+        return tuple(values) if sign_of(held, self._counted(values)) != sign else None
+
+    def _size(self, held: Expression, values: Sequence[float], sign: float | None) -> float:
+        """Return how far a sum is from turning its sign."""
+        try:
+            return held.value(self._counted(values)).real * (sign or 1.0)
+        except (ValueError, ArithmeticError):
+            return -inf
+
+    def _is_steep(self, values: Sequence[float]) -> bool:
+        """Return whether an angle would be as good as a right one, where the text's is not."""
+        return any(
+            held.unit == "deg" and abs(held.value) <= STEEPEST < abs(value) < STRAIGHT - STEEPEST
+            for held, value in zip(self.symbols, values, strict=True)
+        )
+
+    def _around(
+        self, middle: Sequence[float], rng: np.random.Generator, width: float, tries: int
+    ) -> Iterator[list[float]]:
+        """Numbers around some, but for angles that would be steep, as good as right ones, where the text's are not."""
+        factors = np.exp(rng.uniform(-width, width, (tries, len(self.symbols))))
+        yield from (values for values in (np.array(middle) * factors).tolist() if not self._is_steep(values))
+
+    def _at(
+        self, values: Sequence[float], unanswered: list[Study] | None, ends: tuple[float, ...] = ()
+    ) -> Variation | None:
+        """With these numbers, followed to each of some times, s, by default as long as it may take."""
+        said = dict(zip(self.symbols, values, strict=True))
+        query, seen = self._asking(values), None
+        error = FINEST if unanswered is None else ENOUGH  # far away nothing is recorded: a formula holds or does not
+        try:
+            scene = self._roomy.having_all({held.path: value for held, value in said.items() if held.path})
+            if scene.mechanism.routes != self.study.mechanism.routes:
+                return None  # the text tells another course of a string
+            ends = ends or self._ends(query)
+            for end in ends if unanswered is None or not self._waits(query) else (*ends, LATEST * ends[-1]):
+                seen = Study(scene, ENGINES[RECORDED](scene.mechanism, np.array([0.0, end]), error))
+                found = answered(query, seen)
+                if found is not None:
+                    return Variation(self._counted(values), *found)
+        except (SceneError, SimulationError, UnsupportedError, ValueError):
+            return None
+        if unanswered is not None and seen is not None:
+            unanswered.append(seen)
+        return None
+
+    @cached_property
+    def _roomy(self) -> Scene:
+        """The scene with room enough for other numbers: no text tells how far strings and edges let bodies move."""
+        return roomy(self.study.scene)
+
+    def _counted(self, values: Sequence[float]) -> dict[str, float]:
+        return {held.symbol: held.counted(value) for held, value in zip(self.symbols, values, strict=True)}
+
+    def _asking(self, values: Sequence[float]) -> Query:
+        """Return the query with some numbers, and with the answer that it likely has with them."""
+        moment = self.query.moment
+        numbers = [value for held, value in zip(self.symbols, values, strict=True) if not held.path]
+        query = replace(self.query, moment=moment.having(numbers)) if moment is not None else self.query
+        if self.formula is None:
+            return query
+        answer = likely_answer(self.formula, self._counted(values), self.factor)
+        return KINDS[query.kind].expecting(query, answer)
+
+    @staticmethod
+    def _waits(query: Query) -> bool:
+        """Return whether the motion brings about what is asked about."""
+        return query.moment is not None and bool(query.moment.event or query.moment.channels)
+
+    def _ends(self, query: Query) -> tuple[float, ...]:
+        """How long to follow a motion, s: to a stated time, else some times as long as it took in the known one."""
+        here, least = KINDS[self.query.kind].time(self.query, self.study) or 0.0, SHORTEST * self.study.scene.horizon
+        moment = query.moment
+        times = [number for number, unit in moment.stated if unit == "s"] if moment is not None else []
+        if times and not self._waits(query):
+            return (max(BEYOND * times[0], least),)
+        comes = self._waits(query) or KINDS[query.kind].awaited
+        mechanism = self.study.mechanism
+        sooner = SOONER if mechanism.attractions else SOONER[-1:] if changing(mechanism) else ()
+        tried = sooner if comes and LATER * here > least else ()
+        return tuple(max(factor * here, least) for factor in (*tried, LATER))

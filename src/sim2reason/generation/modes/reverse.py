@@ -1,0 +1,260 @@
+"""The reverse mode: one number of the text is unknown, and a result is given that it follows from; or a time is."""
+
+from collections.abc import Iterator, Mapping
+from math import isfinite
+from typing import ClassVar
+
+import numpy as np
+
+from sim2reason.generation.modes.parts.likely_answers import likely_answers
+from sim2reason.questions import (
+    KINDS,
+    Kind,
+    Noun,
+    ParsedQuestion,
+    Query,
+    Question,
+    QuestionMode,
+    StatedResult,
+    Study,
+    Suits,
+    Words,
+    anything,
+    mode,
+)
+from sim2reason.questions.conditions import asking_for
+from sim2reason.questions.dependence import STEP, Dependence, roomy
+from sim2reason.questions.inversion import values_giving, why_not_one
+from sim2reason.questions.kinds import by_share
+from sim2reason.questions.moments.parts.reached import Reached
+from sim2reason.questions.only_root import Scan
+from sim2reason.questions.phrasing import chosen, sentence
+from sim2reason.questions.spellings import plainly
+from sim2reason.questions.study import COARSE, ENOUGH
+from sim2reason.questions.targets import Target, targets
+from sim2reason.questions.unknown import Unknown, far_from, range_of, some
+
+FIXED = 1e-2  # relative: how well what is given must fix the answer
+DIGITS = 3  # of what is given, as of the answer
+DRAWS = 3  # of queries of one kind, at most, until one suits
+EXACT = 15  # digits of a result that the motion has as it was drawn
+NEAR = 1e-2  # relative: who comes nearer to a value nearly has it
+TIMES = {"": 0.03, "time_to_event": 0.08}  # of questions of any kind, or of one: how often the unknown is a time
+
+
+@mode
+class Reverse(QuestionMode):
+    """Which number makes a result what it is said to be, or when is it that?"""
+
+    name = "reverse"
+    weights: ClassVar[Mapping[str, float]] = {  # seldom measured
+        "sum": 0.03,
+        "state": 0.1,
+        "threshold": 0.4,
+        "comparison": 0.0,
+    }
+
+    @property
+    def kinds(self) -> frozenset[str]:
+        """Those that have words for answers as conditions, and whose answers are no whole numbers."""
+        return frozenset(name for name, kind in KINDS.items() if kind.stated and not kind.whole)
+
+    def ask(
+        self, study: Study, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything
+    ) -> Question | None:
+        """Return a result of this motion, and a number that it fixes, or the time at which it is first so."""
+        if kind in TIMES and rng.random() < TIMES[kind]:
+            return _asking_when(study, words, rng, suits)
+        found = (self._asked(asked, study, words, rng, suits) for asked in ([KINDS[kind]] if kind else by_share(rng)))
+        return next((question for question in found if question is not None), None)
+
+    def _asked(
+        self, asked: Kind, study: Study, words: Words, rng: np.random.Generator, suits: Suits
+    ) -> Question | None:
+        for _ in range(DRAWS if asked.stated else 0):
+            query = asked.draw(study, words, targets(words), rng)
+            if query is None or not asked.called(query, words, _noun(query, words)):
+                return None
+            result = asked.answer(query, study)
+            if result is None or not isfinite(result):
+                return None
+            unit = words.units.spell(asked.measured(query).unit)
+            exact = StatedResult.rounded(result, unit, EXACT)
+            tried = False
+            for unknown in some(_besides(query, words), study.scene, rng):
+                if exact is None or not suits(query, unknown.path, exact):
+                    continue
+                tried = True
+                found = self._with_unknown(query, unknown, result, study, words, rng)
+                if found is not None:
+                    return found
+            if tried:
+                return None
+        return None
+
+    def _with_unknown(
+        self, query: Query, unknown: Unknown, result: float, study: Study, words: Words, rng: np.random.Generator
+    ) -> Question | None:
+        """Return the question for a number, where the result of a query fixes it."""
+        asked = KINDS[query.kind]
+        likely = likely_answers(query, study, words, unknown.path)
+        dependence = Dependence(query, study, unknown.path, likely=likely)
+        drawn = float(study.scene.value(unknown.path))
+        dependence.know(drawn, result)
+        found = _fixed(dependence, drawn, result, words.units.spell(asked.measured(query).unit))
+        values = range_of(study.scene, unknown.path)
+        if found is None or not values[0] <= found[1] <= values[-1]:
+            return None
+        given, answer, elasticity = found
+        query = asked.expecting(query, given.value)
+        text = sentence(chosen(asking_for(unknown, query, given, words, _noun(query, words)), rng))
+        return Question(self.name, query, text, answer, unknown.unit, "", unknown.path, given, elasticity)
+
+    def study(self, question: Question, study: Study) -> Study:
+        """Return the motion that has exactly the result that is given."""
+        if not question.unknown:
+            return study
+        return Study.of(study.scene.having(question.unknown, question.answer), study.trace.state.times)
+
+    def response(self, question: Question, study: Study, other: Study) -> float | None:
+        """To first order in the logarithms: ln p falls by ln(R'/R) / elasticity, R being the result that is given."""
+        result = super().response(question, study, other)
+        if result is None or question.given is None or not question.unknown:
+            return result
+        ratio = result / question.given.value
+        if ratio <= 0.0:
+            return question.answer * (1.0 - (ratio - 1.0) / question.elasticity)
+        return question.answer * float(np.exp(-np.log(ratio) / question.elasticity))
+
+    def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
+        """Return every query that the sentence could state as a condition, with every number in it as its answer."""
+        readings = dict.fromkeys((text, plainly(text, words.units)))  # digits tell how close a result is
+        return next((found for said in readings if (found := self._read(said, study, words)) is not None), None)
+
+    def _read(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
+        """Return what a sentence asks, with its numbers spelled as they are."""
+        heard = f"{text}\n{text[0].lower()}{text[1:]}"  # a name may stand at the beginning
+        for unknown in words.unknowns:
+            for query, unit in _stated(heard, study, words):
+                if any(other.path not in (unknown.path, query.hides) for other in words.unknowns):
+                    continue
+                noun = _noun(query, words)
+                for given in dict.fromkeys(StatedResult.found(text, unit)):
+                    if any(sentence(shape) == text for shape in asking_for(unknown, query, given, words, noun)):
+                        return ParsedQuestion(self.name, query, given)
+        for moment in Reached.parsed(text, study.trace, words) if not words.unknowns else ():
+            query = Query("time_to_event", None, moment)
+            if any(sentence(shape) == text for shape in KINDS[query.kind].shapes(query, words, None)):
+                return ParsedQuestion(self.name, query, moment.given)
+        return None
+
+    def solution(self, asked: ParsedQuestion, study: Study, words: Words) -> float | None:
+        """Return the only value for which the query has the answer that is given."""
+        if asked.given is None or isinstance(asked.query.moment, Reached):
+            return super().solution(asked, study, words)
+        for unknown in _besides(asked.query, words):
+            found = values_giving(asked.query, asked.given.value, unknown, study)
+            return found[0] if len(found) == 1 else None
+        return None
+
+    def lacking(self, asked: ParsedQuestion, study: Study, words: Words) -> str:
+        """Return why the stated result fixes no value of the unknown number: none gives it, or several do."""
+        unknown = next(iter(_besides(asked.query, words)), None)
+        if asked.given is None or unknown is None or isinstance(asked.query.moment, Reached):
+            return super().lacking(asked, study, words)
+        return why_not_one(unknown, values_giving(asked.query, asked.given.value, unknown, study), study.scene)
+
+
+def unfixed(question: Question, study: Study, words: Words) -> str:
+    """Why a result does not fix a question's unknown: another value that it does not exclude, or an edge beside it.
+
+    Empty where nothing of the kind is seen. With other values bodies may go farther; how far strings let them, no text
+    tells.
+    """
+    if question.given is None or not question.unknown:
+        return ""
+    scene = roomy(study.scene)
+    likely = likely_answers(question.query, study, words, question.unknown)
+    fine = Dependence(question.query, study, question.unknown, ENOUGH, scene, likely)
+    if scene is study.scene:
+        fine.know(question.answer, question.given.value)
+    scan = Scan(fine, question.answer, question.given.value, question.given.half, fine.coarser(COARSE))
+    values = range_of(study.scene, question.unknown, question.answer)
+    edge = scan.edge(values)
+    if edge is not None:
+        return f"edge: at {edge:.3g} {question.unit} there is no result"
+    other = scan.another(values)
+    if other is not None and fine.is_late(other):
+        return f"late: at {other:.3g} {question.unit} it comes after the motion that is followed, if it does"
+    if other is not None:
+        return f"another: {other:.3g} {question.unit} is not excluded"
+    end = scan.end(values)
+    if end is not None:
+        return f"end: behind {end:.3g} {question.unit} there may be another number"
+    far = scan.far(far_from(values, question.answer, question.unit))
+    return f"far: {far:.3g} {question.unit} is not excluded, or a number before it" if far is not None else ""
+
+
+def _besides(query: Query, words: Words) -> list[Unknown]:
+    """Return the numbers that a text may leave unknown, or does, but for the one whose limit a query is about.
+
+    Nor is any of the same symbol.
+    """
+    symbols = {found.symbol for found in words.unknowns if found.path == query.hides}
+    return [found for found in words.unknowns if found.path != query.hides and found.symbol not in symbols]
+
+
+def _noun(query: Query, words: Words) -> Noun | None:
+    return targets(words)[query.target] if query.target is not None else None
+
+
+def _fixed(dependence: Dependence, drawn: float, result: float, unit: str) -> tuple[StatedResult, float, float] | None:
+    """The result as it is said, the number that gives just that, and the elasticity; None if it is not fixed by it."""
+    rate = dependence.rate(drawn)
+    if not rate:
+        return None
+    given = StatedResult.rounded(result, unit, DIGITS)
+    if given is None or given.half > FIXED * abs(rate * drawn):
+        return None
+    answer = dependence.solved(given.value, drawn)
+    if answer is None or abs(answer - drawn) > FIXED * abs(drawn):
+        return None
+    return given, answer, rate * drawn / result
+
+
+def _stated(heard: str, study: Study, words: Words) -> Iterator[tuple[Query, str]]:
+    """Yield all queries that a sentence could state, with the units of their answers."""
+    named = {target: noun for target, noun in targets(words).items() if noun.heard(heard)}
+    for kind in KINDS.values():
+        for query in dict.fromkeys(kind.parsed(heard, study, words, named)):
+            yield query, words.units.spell(kind.measured(query).unit)
+
+
+def _asking_when(study: Study, words: Words, rng: np.random.Generator, suits: Suits) -> Question | None:
+    """Return when a quantity has a value for the first time."""
+    drawn = KINDS["state"].draw(study, words, targets(words), rng)
+    time = study.time(drawn.moment) if drawn is not None and drawn.moment is not None else None
+    if drawn is None or drawn.target is None or time is None:
+        return None
+    value, later = (drawn.target.value(study.trace.at(when)) for when in (time, time * (1.0 + STEP)))
+    given = StatedResult.rounded(value, words.units.spell(drawn.target.unit), DIGITS) if isfinite(value) else None
+    if given is None or given.half > FIXED * abs(later - value) / STEP:
+        return None
+    query = Query("time_to_event", None, Reached(drawn.target, given))
+    answer = KINDS[query.kind].answer(query, study)
+    fixed = answer is not None and abs(answer - time) <= FIXED * time
+    if answer is None or not fixed or _nearly_before(drawn.target, given, answer, study):
+        return None
+    if not suits(query, "", given):
+        return None
+    text = sentence(chosen(KINDS[query.kind].shapes(query, words, None), rng))
+    return Question("reverse", query, text, answer, words.units.time, given=given)
+
+
+def _nearly_before(target: Target, given: StatedResult, time: float, study: Study) -> bool:
+    """Whether a quantity all but has a value before it first has it: its digits do not tell the one from the other."""
+    scan = study.trace.scan
+    away = np.abs(target.values(scan)[scan.times < time] - given.value)
+    near = away <= max(given.half, NEAR * abs(given.value))
+    coming = len(near) - int(np.argmin(near[::-1])) if not near.all() else 0  # since when it is near for good
+    return bool(near[:coming].any() or (np.diff(away[coming:]) > 0.0).any())

@@ -1,0 +1,178 @@
+"""The symbolic mode: every number of the text is a symbol, and a formula is asked for."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from sim2reason.generation.modes.parts.assumptions import assumed_in, assuming, parted
+from sim2reason.generation.modes.parts.formula_validity import FormulaValidity
+from sim2reason.generation.modes.parts.problem_symbol import ProblemSymbol
+from sim2reason.generation.modes.parts.variations import Variations
+from sim2reason.questions import (
+    KINDS,
+    MODES,
+    ParsedQuestion,
+    Query,
+    Question,
+    QuestionMode,
+    Study,
+    Suits,
+    Words,
+    anything,
+    mode,
+)
+from sim2reason.questions.kinds import by_share
+from sim2reason.questions.kinds.parts.nested import NestedQuery
+from sim2reason.questions.parse_question import parse_question
+from sim2reason.questions.phrasing import chosen, sentence
+from sim2reason.questions.spoken import OwnSymbol, symbol_for
+from sim2reason.questions.targets import targets
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.solutions import STRATEGIES, Setting
+from sim2reason.solutions.algebra.expressions import Expression
+from sim2reason.solutions.closed_forms import ClosedFormError, put_together
+from sim2reason.solutions.derivation import derivation
+from sim2reason.solutions.reverse import forward
+from sim2reason.solutions.strategies import fitting
+from sim2reason.text.prose.description import Description
+from sim2reason.text.prose.formula_numbers import factor
+from sim2reason.text.prose.symbol_names import with_names
+from sim2reason.text.prose.voices import symbolic_but_zero
+
+DRAWS = 3  # of questions of one kind
+UNDERIVED = 8  # questions in a row to which no formula leads, after which none is expected to about a scene
+
+
+@mode
+class Symbolic(QuestionMode):
+    """What is this as a formula?"""
+
+    name = "symbolic"
+
+    @property
+    def kinds(self) -> frozenset[str]:
+        """Those that some strategy of worked solutions has a way to, if their answers are functions of the symbols."""
+        derived = (strategy.kinds for strategy in STRATEGIES.values() if not strategy.integrates)
+        return frozenset(name for name in frozenset[str]().union(*derived) if KINDS[name].of_symbols)
+
+    def offers(self, mechanism: Mechanism) -> bool:
+        """Return whether some strategy of worked solutions may lead to a formula."""
+        return not self.kinds.isdisjoint(_formulas(mechanism))
+
+    def ask(
+        self, study: Study, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything
+    ) -> Question | None:
+        """Return whatever some strategy of worked solutions leads to by formulas, still in numbers.
+
+        None about a mechanism that is not its scene's, whose numbers no symbols stand for.
+        """
+        if study.mechanism is not study.scene.mechanism:
+            return None
+        names = [kind] if kind else [found.name for found in by_share(rng)]
+        formulas = study.once("formulas", lambda: self.kinds & _formulas(study.mechanism))
+        kinds = [name for name in names if name in formulas]
+        refused = study.once("refused", set[Query])
+        for name in (name for name in kinds for _ in range(DRAWS)):
+            question = MODES["numeric"].ask(study, words, name, rng) if len(refused) < UNDERIVED else None
+            if question is not None and not suits(question.query, "", None):
+                continue
+            if question is not None and _derived(question.query, study, words) is not None:
+                refused.clear()
+                return replace(question, mode=self.name)
+            if question is not None and not isinstance(question.query, NestedQuery):  # which needs two formulas
+                refused.add(question.query)
+        return None
+
+    def completed(self, question: Question, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
+        """In symbols, with a formula; None if none is found that agrees with the engine wherever it should."""
+        moment = question.query.moment
+        query = replace(question.query, moment=moment.in_symbols(study.trace) if moment is not None else None)
+        spoken = _spoken(words, query)
+        whole = _derived(query, study, words)
+        if spoken is None or whole is None:
+            return None
+        symbols = _symbols(study, spoken, query.hides)
+        if not {held.symbol for held in symbols}.issuperset(whole.symbols()):
+            return None  # it goes by where the motion starts, which the text does not tell
+        times = factor(question.unit)
+        varied = FormulaValidity(Variations(study, query, symbols, whole, times), times)
+        if not varied.of_scene(whole):
+            return None
+        held = varied.told(whole, rng, spoken, signed=bool(question.sign))
+        if held is None:
+            return None
+        found, assumed = held
+        noun = targets(words)[query.target] if query.target is not None else None
+        asked = sentence(chosen(KINDS[query.kind].shapes(query, spoken, noun), rng))
+        text = f"{asked} {assuming(assumed, spoken)}" if assumed else asked
+        return replace(question, query=query, text=text, formula=varied.formula(found, symbols), assumed=assumed)
+
+    def described(self, question: Question, description: Description) -> Description:
+        """Return every number but zero as a symbol, each with its name."""
+        del question
+        return with_names(description.voiced(symbolic_but_zero))
+
+    def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
+        """Return a query in the words of its kind, before what is assumed."""
+        if not words.symbolic:
+            return None
+        assumed, asked = parted(text)
+        query = parse_question(asked, study, words)
+        if query is None:
+            return None
+        if not assumed:
+            return ParsedQuestion(self.name, query)
+        held = assumed_in(assumed, study, words)
+        return ParsedQuestion(self.name, query, assumed=held) if held is not None else None
+
+    def solution(self, asked: ParsedQuestion, study: Study, words: Words) -> float | None:
+        """The answer with the numbers that the symbols have; None with those for which what is assumed is not so."""
+        until = KINDS[asked.query.kind].time(asked.query, study) or 0.0
+        if not all(held.holds(study, until) for held in asked.assumed):
+            return None
+        return super().solution(asked, study, words)
+
+
+def _formulas(mechanism: Mechanism) -> frozenset[str]:
+    """Return the kinds of question about a mechanism to which strategies of worked solutions may lead by formulas."""
+    return frozenset[str]().union(*(strategy.formulas(mechanism) for strategy in fitting(mechanism)))
+
+
+def _derived(query: Query, study: Study, words: Words) -> Expression | None:
+    """Return the formulas of a worked solution put into each other; None if there is none in symbols."""
+    return study.once(("formula", query), lambda: _worked_out(query, study, words))
+
+
+def _worked_out(query: Query, study: Study, words: Words) -> Expression | None:
+    spoken = _spoken(words, query)
+    if spoken is None:
+        return None
+    setting = forward(Setting(study.scene, words, words.symbols, study, query))
+    tried = [held for held in fitting(study.mechanism) if query.kind in held.formulas(study.mechanism)]
+    if all(strategy.refusal(setting) for strategy in tried):
+        return None
+    solution = derivation(query, study, words)
+    try:
+        return put_together(solution, [own.symbol for own in spoken.own.values()]) if solution.derived else None
+    except ClosedFormError:
+        return None
+
+
+def _spoken(words: Words, query: Query) -> Words | None:
+    """Words with symbols for the question's own numbers; None if it has one for which there is none."""
+    clock = set[str]() if words.released else {"t"}  # of a text that speaks of t = 0
+    own, taken = dict[str, OwnSymbol](), clock.union(words.symbols.values())
+    for value, unit in query.moment.stated if query.moment is not None else ():
+        found = symbol_for(value, unit, taken)
+        if found is None or unit in own:
+            return None
+        own[unit] = found
+    return words.in_symbols(own)
+
+
+def _symbols(study: Study, words: Words, hidden: str) -> list[ProblemSymbol]:
+    """Return all symbols of a problem in the order in which it tells them, but that of the number which it asks for."""
+    parameters = {p.path: p for p in study.scene.parameters if p.path != hidden}
+    found = [(symbol, parameters[path]) for path, symbol in words.symbols.items() if path in parameters]
+    said = [ProblemSymbol(symbol, p.measure.unit, p.value, p.path, p.signed) for symbol, p in found if p.value]
+    return [*said, *(ProblemSymbol(own.symbol, words.units.spell(unit), own.value) for unit, own in words.own.items())]

@@ -1,0 +1,286 @@
+"""Find questions about one scene that lead to each other, as the parts of a problem.
+
+One part leads to another if its answer is a quantity that the other's worked solution finds on its way, or the time of
+the moment that the other asks about. Candidates are looked for where that is likely: quantities that a solution finds,
+and further questions about the same moments. Each part passes every filter by itself; the difficulty is that of all
+parts, so that a further part may be easier than its label.
+"""
+
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from math import pi
+
+import numpy as np
+
+from sim2reason.generation.certified import CertifiedPart, CertifiedQuestion
+from sim2reason.generation.question_search import QuestionSearch
+from sim2reason.questions import KINDS, Moment, Query, Question, QuestionMode, Study, Target
+from sim2reason.questions.change import changed, is_something
+from sim2reason.questions.constancy import lasts
+from sim2reason.questions.difficulty import Difficulty
+from sim2reason.questions.kinds.parts.stretch_kind import StretchKind
+from sim2reason.questions.moments import Happening
+from sim2reason.questions.moments.times import AllAlong, AtStart
+from sim2reason.questions.part_prompts import together
+from sim2reason.questions.targets import Targets, targets
+from sim2reason.questions.tolerance import TOLERANCE
+from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.quantities import QUANTITIES
+from sim2reason.solutions import Setting, Solution, solve
+from sim2reason.solutions.algebra.expressions import Symbol
+
+NUMBERS: dict[Difficulty, tuple[int, ...]] = {"easy": (2,), "medium": (2, 3), "hard": (3, 4)}
+"""How many parts a problem has, each number as often."""
+FEWEST = 2
+LOOKED_AT, SIFTED = 16, 6  # candidates whose solutions are looked at, and those of them that filters see
+SURE_FIRST = 0.7  # how often what surely leads to a part is tried first
+EACH = 2  # further questions of a kind about one moment
+SAME = 1e-9  # relative: two values that differ by less are those of one quantity
+TRIVIAL = 1e-6  # relative: a ratio so close to a simple number is that
+LARGEST = 8  # numerator and denominator of a simple number
+NOTHING_LEADS = "parts: no two lead to each other"
+SETTINGS = NUMBERS, FEWEST, LOOKED_AT, SIFTED, EACH
+
+
+@dataclass(frozen=True)
+class _Part:
+    """A question with its solution, which may have no answer."""
+
+    certified: CertifiedQuestion
+    solution: Solution
+
+    @property
+    def question(self) -> Question:
+        """The question."""
+        return self.certified.question
+
+    def follows(self, other: "_Part") -> bool:
+        """Return whether the other part leads to this one."""
+        return _leads(other.question, other.solution, self.question, self.solution)
+
+
+class PartSearch:
+    """The search for parts about one scene, around a question that was found in it."""
+
+    def __init__(
+        self,
+        search: QuestionSearch,
+        mode: QuestionMode,
+        difficulty: Difficulty,
+        rng: np.random.Generator,
+        refused: Counter[str],
+    ) -> None:
+        """`refused` counts what is refused, by filter."""
+        self._search, self._mode, self._rng, self._refused = search, mode, rng, refused
+        numbers = NUMBERS[difficulty]
+        self._number = numbers[int(rng.random() * len(numbers))]
+        self._looks, self._sifts = LOOKED_AT, SIFTED
+
+    def around(self, found: CertifiedQuestion) -> CertifiedQuestion | None:
+        """Return a problem with `found` among its parts, whose last part it stands for; None if nothing leads to it."""
+        parts, asked = [_Part(found, solve(found.setting))], {found.question.query}
+        while len(parts) < self._number and (len(parts) > 1 or self._may_be_joined(parts[0])):
+            more = self._one_more(parts, asked)
+            if more is None:
+                break
+            parts.append(more)
+        if len(parts) < max(FEWEST, self._number - 1):
+            self._refused[NOTHING_LEADS] += 1
+            return None
+        return self._as_one(parts)
+
+    def _one_more(self, parts: list[_Part], asked: set[Query]) -> _Part | None:
+        """Return a part that leads to one of the others or is led to; what was tried before is not tried again."""
+        for query in self._offered(parts):
+            if query in asked:
+                continue
+            if min(self._looks, self._sifts) <= 0:
+                return None
+            asked.add(query)
+            question = self._mode.asking(query, self._search.study, self._search.words, self._rng)
+            if question is None or not all(is_new(question, part.question, self._search.study) for part in parts):
+                continue
+            self._looks -= 1
+            solution = solve(self._setting(question))
+            if not any(self._joined(question, solution, part) for part in parts):
+                continue
+            self._sifts -= 1
+            beside = tuple(part.certified.candidate for part in parts)
+            certified = self._search.certified(question, self._mode, self._rng, self._refused, beside)
+            if certified is not None:
+                return _Part(certified, solution)
+        return None
+
+    def _may_be_joined(self, part: _Part) -> bool:
+        """Whether other parts may lead to it: its solution finds something on its way, or it waits for something."""
+        return bool(_found_in(part.solution)) or isinstance(part.question.query.moment, Happening)
+
+    def _setting(self, question: Question) -> Setting:
+        search = self._search
+        return Setting.of(question, search.study, search.words, search.description)
+
+    def _joined(self, question: Question, solution: Solution, part: _Part) -> bool:
+        """Return whether one of the two leads to the other."""
+        here, there = (question, solution), (part.question, part.solution)
+        return _leads(*here, *there) or _leads(*there, *here)
+
+    def _offered(self, parts: list[_Part]) -> Iterator[Query]:
+        """What may lead to parts, or they to it, in a random order; what surely leads to one comes first, mostly."""
+        first = self._rng.random() < SURE_FIRST
+        if not first:
+            yield from self._others(parts)
+        sure = [query for part in parts for query in self._on_the_way(part)]
+        yield from (sure[number] for number in self._rng.permutation(len(sure)).tolist())
+        if first:
+            yield from self._others(parts)
+
+    def _on_the_way(self, part: _Part) -> Iterator[Query]:
+        """Quantities that its solution finds, and the time of its moment."""
+        study, moments = self._search.study, _moments([part])
+        values = list(_found_in(part.solution).values())
+        for when in moments:
+            yield from self._at("time_to_event", when)
+            at = study.time(when)
+            if at is None:
+                continue
+            state = study.trace.at(when.side(at))
+            for target in self._targets:
+                value = target.value(state)
+                if any(_same(value, known) for known, _ in values):
+                    yield from _query(target, when, study)
+
+    def _others(self, parts: list[_Part]) -> Iterator[Query]:
+        """Further questions about the moments of the parts and the start; then one of each kind about anything."""
+        search, kinds = self._search, sorted(self._mode.kinds)
+        pairs: list[tuple[str, Moment]] = [(name, moment) for moment in _moments(parts) for name in kinds]
+        order: list[int] = self._rng.permutation(EACH * len(pairs)).tolist()
+        for number in order:
+            yield from self._at(*pairs[number // EACH])
+        order = self._rng.permutation(len(kinds)).tolist()
+        for number in order:
+            query = KINDS[kinds[number]].draw(search.study, search.words, self._targets, self._rng)
+            yield from [query] if query is not None else []
+
+    def _at(self, kind: str, moment: Moment) -> Iterator[Query]:
+        """Yield a question of a kind about a moment, if there is one."""
+        search = self._search
+        query = KINDS[kind].at(moment, search.study, search.words, self._targets, self._rng)
+        yield from [query] if query is not None else []
+
+    @property
+    def _targets(self) -> Targets:
+        return targets(self._search.words)
+
+    def _as_one(self, parts: list[_Part]) -> CertifiedQuestion:
+        """Return the parts in order, with one prompt."""
+        ordered = self._ordered(parts)
+        questions = [part.question for part in ordered]
+        description = self._search.described(questions)
+        prompt, texts = together(description, questions, self._search.words, self._rng)
+        held = tuple(
+            CertifiedPart(
+                part.certified, part.solution, texts[k], tuple(n for n in range(k) if part.follows(ordered[n]))
+            )
+            for k, part in enumerate(ordered)
+        )
+        return replace(ordered[-1].certified, description=description, shape=prompt.shape, parts=held, text=prompt.text)
+
+    def _ordered(self, parts: list[_Part]) -> list[_Part]:
+        """Return each behind all that lead to it; else by time, then by the length of the solution."""
+
+        def place(part: _Part) -> tuple[float, int]:
+            query = part.question.query
+            return (KINDS[query.kind].time(query, self._search.study) or 0.0, len(part.solution.steps))
+
+        waiting, ordered = sorted(parts, key=place), list[_Part]()
+        while waiting:
+            ready = (part for part in waiting if not any(part.follows(other) for other in waiting if other is not part))
+            ordered.append(next(ready, waiting[0]))
+            waiting.remove(ordered[-1])
+        return ordered
+
+
+def _moments(parts: list[_Part]) -> list[Moment]:
+    """Return the start, and those of which parts speak."""
+    told = [part.question.query.moment for part in parts]
+    found: list[Moment] = [AtStart(), *(moment for moment in told if moment is not None)]
+    return list(dict.fromkeys(found))
+
+
+def _query(target: Target, when: Moment, study: Study) -> Iterator[Query]:
+    """Yield the question about a quantity at a moment, if it is worth asking there."""
+    if when.kind != AtStart.kind:
+        told = Channel(target.subject, target.quantity) in when.tells
+        if when.kind in KINDS and not told and changed(study, when)(target):
+            yield Query(when.kind, target, when)
+    elif QUANTITIES[target.quantity].immediate and is_something(target.value(study.trace.at(0.0)), target, study):
+        yield Query(AtStart.kind, target, AllAlong() if lasts(target, study.trace) else AtStart())
+
+
+def _leads(question: Question, solution: Solution, other: Question, to: Solution) -> bool:
+    """Whether the answer to a question is found on the way to another answer, or is the time that it is about."""
+    kind = KINDS[other.query.kind]
+    hangs_on_end = not isinstance(kind, StretchKind) or kind.ends_matter
+    if question.query.kind == "time_to_event" and question.query.moment == other.query.moment and hangs_on_end:
+        return True
+    if solution.answer is None or to.answer is None:
+        return False
+    value, unit = solution.values[solution.goal], solution.unit
+    return any(_same(value, known) and unit == said for known, said in _found_in(to).values())
+
+
+def _found_in(solution: Solution) -> dict[str, tuple[float, str]]:
+    """Return the values and units of the names that a solution finds before its answer."""
+    results = (r for r in solution.relations if r.unit and isinstance(r.left, Symbol) and r.role in ("law", "result"))
+    names = {relation.left.latex(): relation.unit for relation in results}
+    return {
+        name: (solution.values[name], unit)
+        for name, unit in names.items()
+        if name != solution.goal and name in solution.values
+    }
+
+
+def _same(value: float, other: float) -> bool:
+    return abs(value - other) <= SAME * abs(value)
+
+
+def is_new(question: Question, other: Question, study: Study) -> bool:
+    """Return whether neither question tells the answer to the other, nor does one answer follow from the other at once.
+
+    An answer follows at once if it is a simple multiple of the other, of its square or of its inverse, or such a
+    multiple times a number that the text states: K = m v²/2, W = F d, f = 1/T. Nor do both state numbers for
+    different moments.
+    """
+    if question.unit == other.unit and abs(question.answer - other.answer) <= TOLERANCE * abs(other.answer):
+        return False
+    moments = [held.query.moment for held in (question, other)]
+    if moments[0] != moments[1] and all(moment is not None and moment.stated for moment in moments):
+        return False
+    if any(_tells(*pair) for pair in ((question, other), (other, question))):
+        return False
+    first, second = abs(question.answer), abs(other.answer)
+    ratios = (first / second, first / second**2, second / first**2, first * second)
+    stated = [abs(p.value) for p in study.scene.parameters if p.value and not p.hidden]
+    stated += [abs(number) for moment in moments if moment is not None for number, _ in moment.stated if number]
+    factors = [1.0, *stated, *(1.0 / value for value in stated)]
+    return not any(_is_simple(ratio / factor) for ratio in ratios for factor in factors)
+
+
+def _tells(question: Question, other: Question) -> bool:
+    """Return whether a question states a number that would be paid as the answer to another."""
+    moment = question.query.moment
+    stated = moment.stated if moment is not None else ()
+    return any(
+        unit == other.unit and abs(number - other.answer) <= TOLERANCE * abs(other.answer) for number, unit in stated
+    )
+
+
+def _is_simple(ratio: float) -> bool:
+    """Return whether a number is a fraction of small numbers, or one of them times π."""
+    return any(
+        abs(ratio * below / unit - round(ratio * below / unit)) <= TRIVIAL * ratio * below / unit
+        and 1 <= round(ratio * below / unit) <= LARGEST
+        for unit in (1.0, pi)
+        for below in range(1, LARGEST + 1)
+    )

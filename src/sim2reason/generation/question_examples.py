@@ -1,0 +1,232 @@
+"""An example of everything that can be asked, in words and in parts, found in scenes that the recipes draw."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from functools import cache
+from typing import NamedTuple
+
+import numpy as np
+
+from sim2reason.errors import TextError
+from sim2reason.generation.asked_scenes import ASKED
+from sim2reason.generation.example_scenes import OWN
+from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.recipes import RECIPES
+from sim2reason.questions import KINDS, MOMENTS, Query, Words
+from sim2reason.questions.following import FollowedMotion, motion_of
+from sim2reason.questions.functionals import FUNCTIONALS
+from sim2reason.questions.kinds import by_cause
+from sim2reason.questions.kinds.comparison import ComparisonQuery
+from sim2reason.questions.kinds.limit import LimitQuery
+from sim2reason.questions.kinds.optimum import OptimumQuery
+from sim2reason.questions.kinds.parts.nested import NestedQuery
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.kinds.parts.which import OR, WhichQuery
+from sim2reason.questions.kinds.threshold import ThresholdQuery
+from sim2reason.questions.moments import Happening, Moment
+from sim2reason.questions.ordinary.understanding import understood
+from sim2reason.questions.outcomes import OUTCOMES
+from sim2reason.questions.period_words import PeriodQuery
+from sim2reason.questions.posing import posed
+from sim2reason.questions.prompt import words_of
+from sim2reason.questions.structured import StructuredQuestion, moment_told
+from sim2reason.questions.targets import targets
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.files import loads
+from sim2reason.text.prose.description import describe
+
+LEVELS = "medium", "easy", "hard"
+SEEDS = 12  # scenes of each recipe
+
+
+class AskedExample(NamedTuple):
+    """A question in words, and its parts as options of *solve*."""
+
+    sentence: str
+    parts: str
+
+
+@dataclass
+class Examples:
+    """First examples of the members of each registry, by the member's name."""
+
+    quantities: dict[str, AskedExample] = field(default_factory=dict[str, AskedExample])
+    functionals: dict[str, AskedExample] = field(default_factory=dict[str, AskedExample])
+    moments: dict[str, AskedExample] = field(default_factory=dict[str, AskedExample])
+    outcomes: dict[str, AskedExample] = field(default_factory=dict[str, AskedExample])
+    kinds: dict[str, AskedExample] = field(default_factory=dict[str, AskedExample])
+
+
+def examples() -> Examples:
+    """Return the first example of each registered member that the example scenes offer; the result never varies."""
+    found = Examples()
+    for number, scene in enumerate(scenes()):
+        motion, words = motion_of(scene), words_of(describe(scene, number))
+        for query in _queries(motion, words, np.random.default_rng(number), found):
+            _enter(query, motion, words, found)
+    for own in (*OWN, *ASKED):
+        scene = loads(own.text)
+        motion, words = motion_of(scene), words_of(describe(scene))
+        for sentence in own.asked:
+            meant = understood(sentence, motion, words)
+            if meant is not None:
+                _enter(meant.posed.query, motion, words, found, sentence)
+    return found
+
+
+@cache
+def scenes() -> tuple[Scene, ...]:
+    """Return the scenes to search for examples: first scenes with seldom-drawn features, then some of every recipe."""
+    drawn = (sample(recipe, LEVELS[seed % len(LEVELS)], seed=seed) for seed in range(SEEDS) for recipe in RECIPES)
+    return (*(loads(own.text) for own in (*OWN, *ASKED)), *drawn)
+
+
+def _queries(motion: FollowedMotion, words: Words, rng: np.random.Generator, found: Examples) -> Iterator[Query]:
+    """Yield queries about a scene: every quantity, every moment, and a draw of each kind without an example."""
+    study, offered = motion.study, targets(words)
+    moments = [moment for cls in by_cause() for moment in list(cls.found(study, words, rng))[:1]]
+    for moment in moments:
+        if isinstance(moment, Happening) and moment.clause(words) is not None:
+            yield Query("time_to_event", None, moment)
+        if moment.kind in ("state", "event"):
+            asked = (Query(moment.kind, target, moment) for target in offered)
+            yield from (query for query in asked if _is_something(query, motion))
+    yield from _stretches(moments, motion, words, found)
+    for cls in OUTCOMES.values():
+        for outcome in cls.found(words):
+            yield from (
+                ThresholdQuery("threshold", None, None, outcome, unknown.path, unknown.unit)
+                for unknown in words.unknowns
+            )
+    for name, kind in KINDS.items():
+        query = kind.draw(study, words, offered, rng) if name == "start" or name not in found.kinds else None
+        if query is not None:
+            yield query
+
+
+def _is_something(query: Query, motion: FollowedMotion) -> bool:
+    """Return whether a query has an answer that differs noticeably from zero."""
+    found = KINDS[query.kind].answer(query, motion.study)
+    return found is not None and abs(found) > KINDS[query.kind].measured(query).least
+
+
+def _stretches(moments: list[Moment], motion: FollowedMotion, words: Words, found: Examples) -> Iterator[Query]:
+    """Yield queries for each functional without an example, up to every moment for which the functional has a value."""
+    for functional in FUNCTIONALS.values():
+        named = words.called(functional.of) if functional.name not in found.functionals else ()
+        for name in named:
+            if not functional.present(words, name):
+                continue
+            for moment in moments:
+                query = StretchQuery(functional.kind, None, moment, functional.name, name)
+                if functional.when(moment, words, name) and KINDS[query.kind].answer(query, motion.study):
+                    yield query
+
+
+def _enter(query: Query, motion: FollowedMotion, words: Words, found: Examples, said: str = "") -> None:
+    """Add a query as the example of each name without one, if the query's parts are read back as an equal query.
+
+    Its sentence is the one that is `said`, or else the library's own.
+    """
+    entries = _names(query)
+    table = vars(found)
+    new = [(registry, name) for registry, name in entries if name not in table[registry]]
+    asked = _in_parts(query, motion, words) if new else None
+    if asked is None:
+        return
+    try:
+        question = posed(asked, motion, words)
+    except TextError:
+        return
+    sentence = said or question.sentence(words)
+    alike = question.query == query or isinstance(query, ThresholdQuery)
+    if not sentence or not alike:
+        return
+    for registry, name in new:
+        table[registry][name] = AskedExample(sentence, _options(asked))
+
+
+def _names(query: Query) -> list[tuple[str, str]]:
+    """Return the registries and names of the members that a query is an example of."""
+    names = [("kinds", query.kind)]
+    if isinstance(query, WhichQuery):
+        return names
+    if isinstance(query, StretchQuery):
+        names.append(("functionals", query.functional))
+    elif query.target is not None and not isinstance(query, NestedQuery):
+        names.append(("quantities", query.target.quantity))
+    if isinstance(query, ThresholdQuery) and query.outcome is not None:
+        names.append(("outcomes", next(name for name, cls in OUTCOMES.items() if cls is type(query.outcome))))
+    if query.moment is not None:
+        names += [("moments", name) for name, cls in MOMENTS.items() if cls is type(query.moment)]
+    return names
+
+
+def _in_parts(query: Query, motion: FollowedMotion, words: Words) -> StructuredQuestion | None:
+    """Return the parts of a query; None if queries of its kind are not written in parts here."""
+    if isinstance(query, NestedQuery | WhichQuery):
+        return _of_others(query, motion, words)
+    when = _when(query.moment, words)
+    if isinstance(query, ThresholdQuery):
+        outcome = query.outcome
+        name = next((name for name, cls in OUTCOMES.items() if cls is type(outcome)), "").replace("_", " ")
+        return StructuredQuestion(query.parameter, when=f"{outcome.name if outcome else ''} {name}")
+    if isinstance(query, PeriodQuery):
+        of = query.of[0] if len(query.of) == 1 else ""
+        return StructuredQuestion(query.measure, of, "equilibrium" if query.small else "")
+    if isinstance(query, StretchQuery):
+        return StructuredQuestion(query.functional, query.name, "" if when == "whole motion" else when)
+    target = query.target
+    if target is None:
+        return StructuredQuestion("time", when=when) if query.kind == "time_to_event" else None
+    along = target.sense.axis or target.sense.positive if target.sense is not None else ""
+    return StructuredQuestion(target.quantity, target.subject, when or "equilibrium", along)
+
+
+def _of_others(query: NestedQuery | WhichQuery, motion: FollowedMotion, words: Words) -> StructuredQuestion | None:
+    """Return the structured question for a query that contains one other query, as a limit does, or two."""
+    if isinstance(query, NestedQuery):
+        return _nested(query, motion, words)
+    return _of_two(*(_in_parts(each, motion, words) for each in query.both))
+
+
+def _of_two(first: StructuredQuestion | None, second: StructuredQuestion | None) -> StructuredQuestion | None:
+    """Return the parts of a question for one of two, whose subjects or moments differ."""
+    if first is None or second is None:
+        return None
+    of, when = (OR.join(dict.fromkeys(pair)) for pair in ((first.of, second.of), (first.when, second.when)))
+    return replace(first, of=of, when=when)
+
+
+def _when(moment: Moment | None, words: Words) -> str:
+    return moment_told(moment, words) if moment is not None else ""
+
+
+def _nested(query: NestedQuery, motion: FollowedMotion, words: Words) -> StructuredQuestion | None:
+    """Return the parts of a nested query: the inner query's parts with the outer query's change or condition."""
+    inner = _in_parts(query.inner, motion, words)
+    if inner is None:
+        return None
+    parts = {"of": inner.of, "when": inner.when, "along": inner.along}
+    if isinstance(query, OptimumQuery):
+        extreme = "greatest" if query.greatest else "least"
+        if query.asks_place:
+            return StructuredQuestion(query.path, **parts, given=f"{inner.find} = {extreme}")
+        return StructuredQuestion(inner.find, **parts, change=f"{query.path} = {extreme}")
+    if isinstance(query, LimitQuery):
+        return StructuredQuestion(inner.find, **parts, change=f"{query.path} = {'infinity' if query.large else 0}")
+    if isinstance(query, ComparisonQuery):
+        compare = "ratio" if query.ratio else "difference"
+        return StructuredQuestion(inner.find, **parts, change=f"{query.path} × {query.factor:g}", compare=compare)
+    return None
+
+
+def _options(asked: StructuredQuestion) -> str:
+    """Return the parts of a question as options on a command line."""
+    parts = {"find": asked.find, "of": asked.of, "when": asked.when, "along": asked.along, "given": asked.given}
+    parts |= {"change": asked.change, "compare": asked.compare if asked.compare != "ratio" else ""}
+    return " ".join(f"--{name} {_quoted(part)}" for name, part in parts.items() if part)
+
+
+def _quoted(part: str) -> str:
+    return f'"{part}"' if set(part) & set(" &=×*;()") else part

@@ -1,0 +1,284 @@
+"""Ask about one scene until a question passes every filter."""
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import chain
+
+import numpy as np
+
+from sim2reason.base.lazy import cached_property
+from sim2reason.generation.certified import CertifiedQuestion
+from sim2reason.generation.filters import Candidate, Verdict, sift, sift_scene
+from sim2reason.generation.filters.texts import followed
+from sim2reason.questions import KINDS, Query, Question, QuestionMode, StatedResult, Study, Words
+from sim2reason.questions.difficulty import Difficulty
+from sim2reason.questions.need import EVERY, Need
+from sim2reason.questions.prompt import shaped, words_of
+from sim2reason.questions.study import BEYOND
+from sim2reason.questions.tolerance import TOLERANCE
+from sim2reason.questions.topics import irrelevant
+from sim2reason.scenes.dsl.constancy import changing
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.template import Topic
+from sim2reason.simulation.certify import Certificate, witnessed
+from sim2reason.solutions.shortest import may_have_solution, shortest
+from sim2reason.text.prose.description import Description, describe
+
+SAMPLES = 41
+SHORTEST = 0.05  # of the horizon: a motion that may be used for less is of no use
+WORDINGS = 6  # tries
+QUESTIONS = 4  # tries that differ
+DRAWS, MISSES = 8, 2  # of questions, and those that find nothing, at most
+CHOOSY = 8  # times as many draws, where only some quantities may be asked about
+SETTINGS = SAMPLES, SHORTEST, WORDINGS, QUESTIONS, DRAWS, MISSES, CHOOSY
+NOTHING, INCOMPLETE = "nothing to ask", "incomplete"  # as a manifest counts them
+UNSUITED = "needs: before an answer"  # likewise
+
+
+@dataclass(frozen=True)
+class _Told:
+    """A question that filters look at, with its text."""
+
+    candidate: Candidate
+    description: Description
+    shape: str
+
+
+def _kept(candidate: Candidate, *, witnessed: bool) -> Verdict:
+    """Return the verdict where no filter is heard."""
+    del candidate, witnessed
+    return Verdict(keep=True, filter="")
+
+
+class QuestionSearch:
+    """A scene with its motion and its text, which all questions about it share.
+
+    Raises:
+        SceneError, UnsupportedError, SimulationError: the scene can not be built, modelled or solved.
+    """
+
+    def __init__(
+        self,
+        scene: Scene | Study,
+        wording: int,
+        difficulty: Difficulty | None = None,
+        *,
+        unfiltered: bool = False,
+        quantities: frozenset[str] = frozenset(),
+        tolerance: float = TOLERANCE,
+        needs: frozenset[Need] = EVERY,
+    ) -> None:
+        """Prepare a search; `wording` is the seed of the first text that is tried, and empty `quantities` allow all.
+
+        `needs` are the needs that solutions may have; questions with other needs are refused before their answers are
+        computed. With a `difficulty`, questions of other difficulties are refused. A scene is followed to its horizon;
+        a study already has a motion.
+        """
+        self._difficulty: Difficulty | None = difficulty
+        self._quantities, self._tolerance, self._needs = quantities, tolerance, needs
+        self.easy = False  # whether what few laws or one line answer is kept
+        self._unfiltered, self._sift = unfiltered, _kept if unfiltered else sift
+        self.study = scene if isinstance(scene, Study) else Study.of(scene, np.linspace(0.0, scene.horizon, SAMPLES))
+        self._first_wording = wording
+        self._vouched: tuple[Study, Certificate] | None = None
+        self._texts: dict[frozenset[Topic], Description] = {}  # by the topics that they leave out
+        self.kinds: set[str] = set()  # of questions that were found in it
+        self.beyond: set[str] = set()  # of those of which all that was drawn needs other means
+        self._refused = False  # for what it needs, what was drawn last
+
+    @cached_property
+    def description(self) -> Description:
+        """Its text, one whose sentences about strings can be followed, if one is found soon."""
+        first = describe(self.study.scene, self._first_wording)
+        others = (describe(self.study.scene, self._first_wording + n) for n in range(1, WORDINGS))
+        return next((told for told in chain([first], others) if followed(told.sentences)), first)
+
+    @cached_property
+    def words(self) -> Words:
+        """Return what questions need to know of its text."""
+        return words_of(self.description)
+
+    def _words(self, told: "_Told") -> Words:
+        """Return what a question's own text says, of whose numbers some may be left out."""
+        said = told.description.told
+        if len(said) == len(self.description.told):
+            return self.words
+        symbols = {path: symbol for path, symbol in self.words.symbols.items() if path in said}
+        return replace(self.words, symbols=symbols)
+
+    def _certified(self, query: Query, study: Study) -> tuple[Study, Certificate]:
+        """The motion as far as both engines vouch for it; the second follows it no further than a question needs."""
+        time = KINDS[query.kind].time(query, study)
+        trace = study.trace if time is None else study.trace.through(BEYOND * time)
+        known = self._vouched if study is self.study else None
+        if known is None or len(known[0].trace.state.times) < len(trace.state.times):
+            seen, certificate = witnessed(trace)
+            known = Study(study.scene, seen), certificate
+        if study is self.study:
+            self._vouched = known
+        return known
+
+    @cached_property
+    def fault(self) -> str:
+        """Return why no question about the scene can pass, as a manifest counts it; empty if one can."""
+        if self.is_unstable:
+            return f"unstable: {self.study.trace.cut}"
+        verdict = Verdict(keep=True, filter="") if self._unfiltered else sift_scene(self.study)
+        if not verdict.keep:
+            return verdict.counted
+        return "" if followed(self.description.sentences) else "length"
+
+    @property
+    def is_unstable(self) -> bool:
+        """Return whether the engines give up before much of the motion is over."""
+        return self.study.trace.stable_until < SHORTEST * float(self.study.trace.state.times[-1])
+
+    def ask(
+        self,
+        mode: QuestionMode,
+        rng: np.random.Generator,
+        refused: Counter[str],
+        kind: str = "",
+        tries: int = QUESTIONS,
+    ) -> CertifiedQuestion | None:
+        """Return a question that passes every filter, or None; what was refused is counted by filter in `refused`.
+
+        Of one kind where one is named: then it is a matter of course that a scene may offer none.
+        """
+        if self.fault:
+            refused[self.fault] += 1
+            return None
+        for question in self._questions(mode, kind, rng, refused, tries):
+            found = self._judged(question, mode, rng)
+            if isinstance(found, CertifiedQuestion):
+                return found
+            refused[found.counted] += 1
+        return None
+
+    def certified(
+        self,
+        question: Question,
+        mode: QuestionMode,
+        rng: np.random.Generator,
+        refused: Counter[str],
+        beside: tuple[Candidate, ...],
+    ) -> CertifiedQuestion | None:
+        """Draw a further part of a problem; None if a filter refuses it, which `refused` counts by filter."""
+        found = self._judged(question, mode, rng, beside)
+        if isinstance(found, CertifiedQuestion):
+            return found
+        refused[found.counted] += 1
+        return None
+
+    def _judged(
+        self, question: Question, mode: QuestionMode, rng: np.random.Generator, beside: tuple[Candidate, ...] = ()
+    ) -> CertifiedQuestion | Verdict:
+        """Return the question with its certificate, or the verdict against it."""
+        told = self._told(question, mode, rng, beside)
+        verdict = self._sift(told.candidate, witnessed=False)
+        if verdict.keep:
+            completed = mode.completed(question, self.study, self._words(told), rng)
+            if completed is None:
+                return Verdict(keep=False, filter=INCOMPLETE)
+            if completed is not question:
+                told = self._told(completed, mode, rng, beside)
+                verdict = self._sift(told.candidate, witnessed=False)
+        candidate = told.candidate.checked if verdict.keep else told.candidate
+        if candidate is not told.candidate:  # it needs other means
+            verdict = self._sift(candidate, witnessed=False)
+        if not verdict.keep:
+            return verdict
+        study, certificate = self._certified(question.query, candidate.study)
+        verdict = self._sift(replace(candidate, certificate=certificate), witnessed=True)
+        if not verdict.keep:
+            return verdict
+        return CertifiedQuestion(candidate, study, certificate, told.description, told.shape)
+
+    def described(self, questions: Sequence[Question]) -> Description:
+        """Return the text for several questions about the scene: it leaves out only what matters to none of them."""
+        topics = self.description.topics
+        idle = (irrelevant(question, self.study, topics) for question in questions)
+        return self._leaving_out(frozenset[Topic].intersection(*idle))
+
+    def _told(
+        self, question: Question, mode: QuestionMode, rng: np.random.Generator, beside: tuple[Candidate, ...]
+    ) -> "_Told":
+        """Return a question with its prompt, as filters look at it."""
+        study = mode.study(question, self.study)
+        description = mode.described(question, self._leaving_out(irrelevant(question, study, self.description.topics)))
+        prompt = shaped(description, question, rng)
+        said = description.sentences
+        level: Difficulty = self._difficulty or "medium"
+        candidate = Candidate(
+            study,
+            question,
+            prompt.text,
+            said,
+            self.words,
+            difficulty=level,
+            tolerance=self._tolerance,
+            needs=self._needs,
+            labelled=self._difficulty is not None,
+            easy=self.easy,
+            beside=beside,
+        )
+        return _Told(candidate, description, prompt.shape)
+
+    def _leaving_out(self, topics: frozenset[Topic]) -> Description:
+        """Return the text without some topics, which many questions leave out."""
+        if topics not in self._texts:
+            self._texts[topics] = self.description.leaving_out(topics)
+        return self._texts[topics]
+
+    def _wants(self, query: Query) -> bool:
+        """Return whether a quantity that may be asked about is asked about."""
+        return KINDS[query.kind].measured(query).name in self._quantities
+
+    @cached_property
+    def _changing(self) -> bool:
+        """Return whether accelerations change other than at events."""
+        return bool(changing(self.study.mechanism))
+
+    def _suits(self, query: Query, unknown: str, stated: StatedResult | None) -> bool:
+        """Return whether a solution needs what it may.
+
+        Where no strategy has a way to a query, none has one to a number of the text that its answer fixes.
+        """
+        if self._needs == EVERY or not (unknown or self._changing or Need.ARITHMETIC not in self._needs):
+            return True  # nearly all about constant accelerations is elementary, and the filter looks at it
+        most = max(self._needs)
+        hopeless = unknown and most < Need.INTEGRATION and not shortest(query, self.study, self.words, most=most).answer
+        suits = not hopeless and shortest(query, self.study, self.words, unknown, stated, most).needs in self._needs
+        self._refused |= not suits
+        return suits
+
+    def _questions(
+        self, mode: QuestionMode, kind: str, rng: np.random.Generator, refused: Counter[str], tries: int
+    ) -> Iterator[Question]:
+        """Yield some questions that differ; fewer if the motion offers no more."""
+        asked, missed = set[tuple[Query, str]](), 0
+        if kind and not may_have_solution(kind, self.study, max(self._needs)):
+            return
+        for _ in range(DRAWS * tries // QUESTIONS * (CHOOSY if self._quantities else 1)):
+            self._refused = False
+            question = mode.ask(self.study, self.words, kind, rng, self._suits)
+            if question is None and self._refused:
+                self.beyond.add(kind)
+                refused[UNSUITED] += 1
+                return
+            if question is not None and self._quantities and not self._wants(question.query):
+                continue
+            if question is None:
+                missed += 1
+                if not kind:
+                    refused[NOTHING] += 1
+                if missed == MISSES:
+                    return
+                continue
+            self.kinds.add(kind)
+            if (question.query, question.unknown) not in asked:
+                asked.add((question.query, question.unknown))
+                yield question
+            if len(asked) >= tries:
+                return

@@ -1,0 +1,67 @@
+"""Recipes: which entities meet, and how hard; difficulty belongs here and not to entities."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from inspect import getdoc
+from typing import TYPE_CHECKING
+
+from sim2reason.base.registry import Registry
+from sim2reason.errors import UnknownNameError
+from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty
+
+if TYPE_CHECKING:  # plans of datasets read the names here, and no more
+    import numpy as np
+
+    from sim2reason.scenes.dsl.scene import Scene
+
+Draw = Callable[[Difficulty, "np.random.Generator"], "Scene"]
+"""One random scene. May raise SceneError for a draw that does not fit together: the caller draws again."""
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """How scenes of one kind are drawn, and how often over all recipes: `share` times in every round.
+
+    `weights` say by which factor some kinds of question are asked more or less often than elsewhere; 0: never. Their
+    names are those of kinds, or of a mode and a kind, as ``reverse.period``, for what holds in that mode alone.
+    """
+
+    draw: Draw
+    share: int = 1
+    weights: Mapping[str, float] = field(default_factory=dict[str, float])
+
+    def __call__(self, difficulty: Difficulty, rng: "np.random.Generator") -> "Scene":
+        """Draw one scene."""
+        return self.draw(difficulty, rng)
+
+    @property
+    def summary(self) -> str:
+        """Return what its function says of itself, in one line."""
+        return (getdoc(self.draw) or "").partition("\n")[0]
+
+
+RECIPES: Registry[Recipe] = Registry("recipes", package="sim2reason.generation.recipes")
+
+
+def recipe(name: str, share: int = 1, weights: Mapping[str, float] | None = None) -> Callable[[Draw], Draw]:
+    """Decorate the function that draws the scenes of a recipe."""
+
+    def register(draw: Draw) -> Draw:
+        RECIPES.add(name, Recipe(draw, share, weights or {}))
+        return draw
+
+    return register
+
+
+def all_recipes() -> tuple[str, ...]:
+    """Return the names of all recipes, each as often as it is dealt in a round."""
+    rounds = range(max(member.share for member in RECIPES.values()))
+    return tuple(name for turn in rounds for name, member in RECIPES.items() if member.share > turn)
+
+
+def difficulty_named(difficulty: str) -> Difficulty:
+    """Return a difficulty by its name; UnknownNameError with the names there are."""
+    for name in DIFFICULTIES:
+        if name == difficulty:
+            return name
+    raise UnknownNameError(f"no such difficulty: {difficulty!r}; there are: {', '.join(DIFFICULTIES)}")

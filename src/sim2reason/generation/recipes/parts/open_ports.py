@@ -1,0 +1,88 @@
+"""The ports that entities offer to a growing scene, and what can be joined to them."""
+
+from dataclasses import dataclass
+
+from sim2reason.scenes.dsl.connection import Connection, Link
+from sim2reason.scenes.dsl.entity import ENTITIES, Named, outer_ports, stops_of
+from sim2reason.scenes.dsl.layout import opposite
+from sim2reason.scenes.dsl.ports import Attachment, Pass, Port, StringPort
+from sim2reason.scenes.dsl.vectors import Vector
+
+
+@dataclass(frozen=True)
+class OpenPort:
+    """A port of an entity of the scene, and which way a connection must leave it; None for any."""
+
+    owner: Named
+    port: Port
+
+    @property
+    def link(self) -> Link:
+        """It as files name it."""
+        return Link(entity=self.owner.name, port=self.port.name)
+
+    @property
+    def direction(self) -> Vector | None:
+        """Return which way a connection must leave it; None for any."""
+        stop = stops_of(self.owner.entity, self.port.name, self.owner.name)[-1]
+        return self.owner.alone.faces.get(stop.sites[-1]) if stop.sites else None
+
+    def meets(self, other: "OpenPort", kind: type[Connection]) -> bool:
+        """Return whether a connection can run to another port: what must leave straight down meets what hangs there.
+
+        A string can turn over a pulley on its way; nothing else can.
+        """
+        here, there = self.direction, other.direction
+        turns = issubclass(kind.joins, StringPort) and not (is_down(here) or is_down(there))
+        return turns or opposite(here, there)
+
+
+def takes(kind: type[Connection], port: Port) -> bool:
+    """Return whether a connection can begin, go on or end at a port."""
+    return isinstance(port, kind.joins) and any(kind.admits(port, index, 2) for index in range(3))
+
+
+def _joins(kind: type[Connection], here: Port, end: Port) -> bool:
+    """Return whether a connection that is at one port can end at another."""
+    if isinstance(end, Pass):
+        return False
+    forward = isinstance(here, Pass) or kind.admits(here, 0, 1)
+    return (forward and kind.admits(end, 1, 1)) or (kind.admits(here, 1, 1) and kind.admits(end, 0, 1))
+
+
+def open_ports(named: Named) -> list[OpenPort]:
+    """The ports that an entity offers: no place is taken or missing, no string tied to what starts with a speed."""
+    builder = named.alone
+    moves = any(coordinate.speed for coordinate in builder.finish().coordinates)
+    ports = outer_ports(type(named.entity)).values()
+    free = [port for port in ports if not port.unless or getattr(named.entity, port.unless) is None]
+    free = [port for port in free if not (moves and isinstance(port, Attachment | StringPort))]
+    sites = {p: [site for stop in stops_of(named.entity, p.name, named.name) for site in stop.sites] for p in free}
+    return [OpenPort(named, port) for port in free if builder.faces.keys() >= set(sites[port])]
+
+
+def ends_for(named: Named, kind: type[Connection], here: OpenPort) -> list[OpenPort]:
+    """Return the ports of an entity to which a connection can run from another."""
+    return [end for end in open_ports(named) if _joins(kind, here.port, end.port) and end.meets(here, kind)]
+
+
+def is_passed(name: str, kind: type[Connection]) -> bool:
+    """Return whether an entity must be passed by a connection, and so is never the end of another."""
+    ports = outer_ports(ENTITIES[name]).values()
+    return any(isinstance(port, Pass) and port.required and isinstance(port, kind.joins) for port in ports)
+
+
+def stands_still(named: Named) -> bool:
+    """Return whether nothing of it moves or pulls."""
+    return not named.alone.drawing and not named.alone.finish().bodies
+
+
+def is_downhill(port: OpenPort) -> bool:
+    """Return whether a string leaves a body down its slope, so that it pulls in the direction of the weight."""
+    direction = port.direction
+    return direction is not None and not is_down(direction) and direction[2] < -1e-9
+
+
+def is_down(direction: Vector | None) -> bool:
+    """Return whether a connection can only leave straight down."""
+    return direction is not None and direction[2] < -1.0 + 1e-9

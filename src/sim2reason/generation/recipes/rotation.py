@@ -1,0 +1,193 @@
+"""Rigid bodies that swing about an axle."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from itertools import islice
+from math import copysign, floor, nan, sqrt
+from typing import NamedTuple
+
+import numpy as np
+
+from sim2reason.errors import SceneError
+from sim2reason.generation.recipes import recipe
+from sim2reason.generation.recipes.parts.ideas import idle
+from sim2reason.generation.recipes.parts.ranges import SIZES
+from sim2reason.questions.difficulty import Difficulty
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.measures import Count, Range
+from sim2reason.scenes.dsl.model import draw
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.solids import Solid
+from sim2reason.scenes.entities.parts.assembly import holds_axle
+from sim2reason.scenes.entities.parts.pieces import (
+    FIRST,
+    OTHER,
+    AxialPiece,
+    BallPiece,
+    BarPiece,
+    CappedPiece,
+    HoledPiece,
+    RoundPiece,
+    TiltedPiece,
+    WeldedPiece,
+)
+from sim2reason.scenes.entities.pendulums import RotationEntity
+
+NEAR = Range(0.1, 0.5)  # m, from the axle, for what has a size
+FAR = Range(0.2, 0.8)  # m, for small balls
+PUSH = Range(2.5, 6.0)  # rad/s
+SOLID = {AxialPiece: 0.5, RoundPiece: 0.2, CappedPiece: 0.05, TiltedPiece: 0.05, HoledPiece: 0.05, BarPiece: 0.15}
+SMALL = 0.7  # the chance that a further piece is a small ball
+UNBALANCED = 0.3  # of Σ m |x| is left of Σ m x, at least: arms near balance hang on the last digits of all numbers
+OWN = 0.175  # of all inertia that belongs to the pieces about their own centres: less would be forgiven
+MOVED = 1.0 / OWN - 1.0  # times as much inertia may come from their distances
+CLEAR = 0.02  # m, from the axle to the surface of a piece
+MANY = 3  # pieces, of which one may have a size without bearing
+TRIES = 10  # pieces that are drawn before all are drawn anew
+DRAWS = 60 * TRIES
+
+
+@dataclass(frozen=True)
+class SwingTier:
+    """How hard: how many pieces, and how often they are pushed."""
+
+    pieces: Count
+    pushed: float
+
+
+TIERS = {
+    "easy": (SwingTier(Count(1, 1), 0.0),),
+    "medium": (SwingTier(Count(2, 3), 0.0), SwingTier(Count(1, 1), 1.0)),
+    "hard": (SwingTier(Count(2, 3), 0.0), SwingTier(Count(2, 3), 1.0)),  # some go over the top
+}
+
+
+# a period hangs neither on how it begins nor on a lone mass
+WEIGHTS = {
+    "sum": 0.1,
+    "state": 0.3,
+    "time_to_event": 0.2,
+    "period": 0.5,
+    "comparison": 0.2,
+    "threshold": 0.4,
+    "optimum": 0.02,
+    "numeric.sum": 0.05,
+    "numeric.comparison": 0.1,
+}
+
+
+@recipe("rotation", share=2, weights=WEIGHTS)
+def draw_rotation(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
+    """Up to three solid bodies fixed to a light arm: let go, or set turning."""
+    tiers = TIERS[difficulty]
+    tier = tiers[int(rng.integers(len(tiers)))]
+    choices = {"rate?": tier.pushed, "rate": PUSH}
+    arm = draw(RotationEntity, rng, choices, {"pieces": _pieces(tier, rng)})
+    return Scene(entities=(Named(name="arm", entity=arm),))
+
+
+def _pieces(tier: SwingTier, rng: np.random.Generator) -> tuple[WeldedPiece, ...]:
+    """One that is large, and others, perhaps small, where there is room on the arm; last those beyond the axle."""
+    count, found = 0, list[WeldedPiece]()
+    kinds, chances = [*SOLID], np.array([*SOLID.values()])
+    for attempt in range(DRAWS):
+        if attempt % TRIES == 0:  # the first ones may have taken all the room
+            count, found = int(rng.integers(tier.pieces.low, tier.pieces.high + 1)), []
+        kind = BallPiece if found and rng.random() < SMALL else kinds[int(rng.choice(len(kinds), p=chances))]
+        piece = _drawn_near(kind, rng, found)
+        if piece is not None and _fits(piece, found) and _bear([*found, piece], unmoved=count >= MANY):
+            found.append(piece)
+        if len(found) == count and _is_unbalanced(found):
+            return tuple(sorted(found, key=lambda piece: piece.place < 0.0))
+        if len(found) == count:
+            found.pop()
+    raise SceneError("arm", f"{DRAWS} draws gave too few pieces that all have a bearing", "draw again")
+
+
+def _drawn_near(kind: type[WeldedPiece], rng: np.random.Generator, others: Sequence[WeldedPiece]) -> WeldedPiece | None:
+    """Draw a piece near enough to the axle that the size of each piece matters; None if it can't be so near."""
+    distances = FAR if kind is BallPiece else NEAR
+    choices = {**SIZES, "side?": 0.4, "side": (OTHER,), "distance": distances}
+    piece = draw(kind, rng, choices, {} if others else {"side": FIRST})
+    farthest = _farthest(piece, others)
+    if piece.distance > farthest > distances.low:
+        kept = {name: value for name, value in piece if name != "distance"}
+        piece = draw(kind, rng, {"distance": Range(distances.low, farthest)}, kept)
+    return piece if piece.distance <= farthest else None
+
+
+def _farthest(piece: WeldedPiece, others: Sequence[WeldedPiece]) -> float:
+    """Return the greatest distance, m, at which enough of the inertia belongs to the pieces about their own centres.
+
+    A piece that is no small ball has enough of its own; NaN if there is no such distance.
+    """
+    solid, mass, share, before = _solid(piece), piece.shape.mass, _share(piece), _total(map(_share, others))
+    most = MOVED * (before.own + share.own) - before.moved
+    if not isinstance(piece, BallPiece):
+        most = min(most, MOVED * share.own)
+    x, _, z = solid.center
+    squared = most / mass - z**2
+    if squared < 0.0:
+        return nan
+    return floor(1e2 * (sqrt(squared) - copysign(x, x * piece.place))) / 1e2  # as many places as a text has
+
+
+def _fits(piece: WeldedPiece, others: Sequence[WeldedPiece]) -> bool:
+    """Return whether a piece leaves the axle free, stays clear of it, and is beside the others."""
+    clear = min(map(abs, piece.span)) >= CLEAR
+    return clear and not holds_axle(piece) and all(is_clear(piece, other) for other in others)
+
+
+def is_clear(one: WeldedPiece, other: WeldedPiece) -> bool:
+    """Return whether two pieces on one arm are beside one another, and neither reaches past the axle."""
+    (low, high), (near, far) = one.span, other.span
+    return (high < near or far < low) and not any(begin < 0.0 < end for begin, end in (one.span, other.span))
+
+
+def _bear(pieces: Sequence[WeldedPiece], *, unmoved: int) -> bool:
+    """Return whether all numbers of some pieces but `unmoved` affect how an arm with them moves.
+
+    The mass of a lone piece cancels.
+    """
+    shares = [_share(piece) for piece in pieces]
+    for number, piece in enumerate(pieces):
+        others = _total([*shares[:number], *shares[number + 1 :]])
+        paths = (path for path in idle(piece, partial(_responses, others)) if len(pieces) > 1 or path != "body.mass")
+        unmoved -= sum(1 for _ in islice(paths, unmoved + 1))
+        if unmoved < 0:
+            return False
+    return True
+
+
+def _is_unbalanced(pieces: Sequence[WeldedPiece]) -> bool:
+    moments = [_share(piece).moment for piece in pieces]
+    return abs(sum(moments)) >= UNBALANCED * sum(map(abs, moments))
+
+
+class _Share(NamedTuple):
+    """Contribution of pieces of an arm to Σ m x and to the moment of inertia about the axle."""
+
+    moment: float  # m x, kg·m
+    own: float  # moment of inertia about their own centres, kg·m²
+    moved: float  # what the parallel-axis theorem adds, kg·m²
+
+
+def _share(piece: WeldedPiece) -> _Share:
+    solid, mass = _solid(piece), piece.shape.mass
+    x, z = solid.center[0] + piece.place, solid.center[2]
+    return _Share(mass * x, solid.inertia(mass)[1], mass * (x * x + z * z))
+
+
+def _total(shares: Iterable[_Share]) -> _Share:
+    return _Share(*map(sum, zip(*shares, strict=True))) if (shares := [*shares]) else _Share(0.0, 0.0, 0.0)
+
+
+def _responses(others: _Share, piece: WeldedPiece) -> tuple[float]:
+    """Return the number that determines an arm's motion: Σ m x over the moment of inertia about the axle, 1/m."""
+    found = _total((others, _share(piece)))
+    return (found.moment / (found.own + found.moved),)
+
+
+def _solid(piece: WeldedPiece) -> Solid:
+    return piece.shape.solid.turned(piece.axes)

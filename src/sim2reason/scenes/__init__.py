@@ -1,0 +1,1 @@
+"""Scenes: their language, scene files, bodies, entities and connections."""

@@ -1,0 +1,162 @@
+"""Cylinders and spheres with a hole beside the axis."""
+
+from collections.abc import Mapping
+from math import hypot
+from typing import Annotated, ClassVar, Self
+
+from pydantic import model_validator
+
+from sim2reason.scenes.dsl.body import Axial, Spherical, body
+from sim2reason.scenes.dsl.measures import Range
+from sim2reason.scenes.dsl.mechanism import X, Y, Z
+from sim2reason.scenes.dsl.solids import (
+    Axes,
+    HoleOffset,
+    HoleRadius,
+    Overlooked,
+    Radius,
+    Shape,
+    Solid,
+    Thickness,
+    ball,
+    disc,
+    lens,
+)
+from sim2reason.scenes.dsl.template import Word
+from sim2reason.scenes.dsl.vectors import Vector
+
+
+@body
+class BoredCylinder(Shape):
+    """A cylinder about y with a round hole whose axis lies beside its own, towards z; its length never matters."""
+
+    radius: Annotated[Radius, Range(0.1, 0.2)]
+    hole: HoleRadius
+    offset: HoleOffset
+
+    seen: ClassVar[Axes] = (Z, X, Y)
+    nouns = ("cylinder", "roller")
+    lone = (
+        "a bored {noun} of mass {mass} and radius {radius} whose round hole of radius {hole} runs along its whole length at {offset} from its axis",
+        "a uniform solid {noun} of radius {radius} with a hole of radius {hole} bored along its whole length at {offset} from its axis (mass after boring: {mass})",
+    )
+    named = (
+        "a bored {noun} {letter} of mass {mass} and radius {radius} whose round hole of radius {hole} runs along its whole length at {offset} from its axis",
+        "a uniform solid {noun} {letter} of radius {radius} with a hole of radius {hole} bored along its whole length at {offset} from its axis (mass after boring: {mass})",
+    )
+
+    @model_validator(mode="after")
+    def _encloses_the_hole(self) -> Self:
+        if self.hole + self.offset >= self.radius:
+            raise ValueError("hole, offset: the hole breaks through; give less than the radius in all")
+        return self
+
+    @property
+    def solid(self) -> Solid:
+        """A disc less the hole: its length does not change how it turns about its axis."""
+        return (disc(self.radius) - disc(self.hole).moved((self.offset, 0.0, 0.0))).turned(self.seen)
+
+    @property
+    def plainer(self) -> Mapping[Overlooked, Solid]:
+        """A disc without the hole."""
+        return {"hole": disc(self.radius).turned(self.seen)}
+
+    @property
+    def look(self) -> Axial:
+        """A disc with its hole."""
+        return Axial(self.radius, hole=self.hole, offset=self.offset)
+
+    def reach(self, way: Vector) -> float:
+        """To its surface."""
+        return self.radius * hypot(way[0], way[2])
+
+
+@body
+class SphereWithHole(Shape):
+    """A sphere with a spherical hole inside it; z points from its centre to the hole's."""
+
+    radius: Annotated[Radius, Range(0.08, 0.15)]
+    hole: HoleRadius
+    offset: HoleOffset
+
+    bulky = True
+    nouns = ("sphere",)
+    words = {"gap": Word("mass", {}, "hole")}
+    lone = (
+        "a {noun} of mass {mass} and radius {radius}, uniform but for a spherical hole of radius {hole} centred {offset} from the centre of the {noun}",
+        "a uniform {noun} of radius {radius} with a spherical hole of radius {hole} whose centre lies {offset} from that of the {noun} (mass with the hole: {mass})",
+    )
+    named = (
+        "a {noun} {letter} of mass {mass} and radius {radius}, uniform but for a spherical hole of radius {hole} centred {offset} from the centre of the {noun}",
+        "a uniform {noun} {letter} of radius {radius} with a spherical hole of radius {hole} whose centre lies {offset} from that of the {noun} (mass with the hole: {mass})",
+    )
+
+    @model_validator(mode="after")
+    def _encloses_the_hole(self) -> Self:
+        if self.hole + self.offset >= self.radius:
+            raise ValueError("hole, offset: the hole breaks through; give less than the radius in all")
+        return self
+
+    @property
+    def solid(self) -> Solid:
+        """The ball less the hole, about the ball's centre."""
+        return ball(self.radius) - ball(self.hole).moved((0.0, 0.0, self.offset))
+
+    @property
+    def plainer(self) -> Mapping[Overlooked, Solid]:
+        """A ball without the hole."""
+        return {"hole": ball(self.radius)}
+
+    @property
+    def look(self) -> Spherical:
+        """A disc with its hole, as if cut open."""
+        return Spherical(self.radius, hole=self.hole, offset=self.offset)
+
+
+@body
+class HollowSphereWithHole(Shape):
+    """A hollow sphere of whose wall a ball about a point off its centre is cut away; z points to that point."""
+
+    radius: Annotated[Radius, Range(0.08, 0.15)]
+    thickness: Annotated[Thickness, Range(0.01, 0.02)]
+    hole: Annotated[HoleRadius, Range(0.03, 0.07)]
+    offset: Annotated[HoleOffset, Range(0.08, 0.15)]
+
+    bulky = True
+    nouns = ("sphere",)
+    words = {"gap": Word("mass", {}, "opening")}
+    lone = (
+        "a hollow {noun} of mass {mass}, outer radius {radius} and wall thickness {thickness} whose wall is missing within {hole} of a point {offset} from its centre",
+        "a hollow {noun} (outer radius {radius}, wall thickness {thickness}, mass {mass}) whose wall has an opening cut by a ball of radius {hole} centred {offset} from its centre",
+    )
+    named = (
+        "a hollow {noun} {letter} of mass {mass}, outer radius {radius} and wall thickness {thickness} whose wall is missing within {hole} of a point {offset} from its centre",
+        "a hollow {noun} {letter} (outer radius {radius}, wall thickness {thickness}, mass {mass}) whose wall has an opening cut by a ball of radius {hole} centred {offset} from its centre",
+    )
+
+    @model_validator(mode="after")
+    def _is_cut(self) -> Self:
+        if self.thickness >= self.radius:
+            raise ValueError("thickness: the wall is thicker than the sphere; give less than its radius")
+        if not abs(self.radius - self.offset) < self.hole < self.offset:
+            raise ValueError("hole, offset: it must cut through the wall and leave the centre out")
+        if self.offset - self.hole >= self.radius - self.thickness:
+            raise ValueError("hole, offset: the cut does not reach the cavity; make it larger")
+        return self
+
+    @property
+    def solid(self) -> Solid:
+        """The wall less what the ball cuts out of it, about the sphere's centre."""
+        inner = self.radius - self.thickness
+        cut = lens(self.radius, self.hole, self.offset) - lens(inner, self.hole, self.offset)
+        return ball(self.radius) - ball(inner) - cut
+
+    @property
+    def plainer(self) -> Mapping[Overlooked, Solid]:
+        """A hollow sphere without the opening."""
+        return {"hole": ball(self.radius) - ball(self.radius - self.thickness)}
+
+    @property
+    def look(self) -> Spherical:
+        """A ring with its opening, as if cut open."""
+        return Spherical(self.radius, wall=self.thickness, hole=self.hole, offset=self.offset)

@@ -1,0 +1,297 @@
+"""A light inextensible string: one path, one constraint, one sentence, however many pulleys it passes."""
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from itertools import pairwise
+from typing import ClassVar, Generic, Self
+
+from sim2reason.errors import SceneError
+from sim2reason.scenes.bodies.pulleys import FixedPulley
+from sim2reason.scenes.dsl.body import Body
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.connection import (
+    FREE,
+    Connection,
+    Joint,
+    Leg,
+    Link,
+    ParsedSentence,
+    Routes,
+    S,
+    SentenceMatcher,
+    SentenceWriter,
+    connection,
+)
+from sim2reason.scenes.dsl.layout import opposite
+from sim2reason.scenes.dsl.measures import FreeLength
+from sim2reason.scenes.dsl.mechanism import ZERO, Inextensible
+from sim2reason.scenes.dsl.ports import Pass, Port, SitePort, Stop, StringEnd, StringPort
+from sim2reason.scenes.dsl.vectors import add, scale
+
+OPENINGS = (
+    "{string} tied to {tied} {verbs}.",
+    "{string} is tied to {tied}; it {verbs}.",
+    "from {tied} {string} {verbs}.",
+)
+HANGING = (
+    "{tied} hangs on {string} that {verbs}.",
+    "{tied} hangs from {string}, which {verbs}.",
+)
+"""Of what hangs: how the string leaves there need not be said."""
+CALLED = (
+    ("a light string",),
+    ("another light string", "a second light string"),
+    *((f"a {which} light string",) for which in ("third", "fourth", "fifth", "sixth", "seventh", "eighth")),
+)
+"""What a string is called as the first one, the second and so on."""
+AGAIN = ("one more light string", "a further light string")
+"""What it is called where nobody counts."""
+_ONE = re.compile(r"light string(?!s)|(?:another|one more) (?:joins|runs|leads)")
+OVER, UNDER, ROUND = "passes over ", "passes under ", "passes round "
+WAYS = (OVER, UNDER, ROUND)
+LEVEL = 1e-9  # of a pull's direction: less is rounding
+ONWARD = {
+    (OVER, OVER): "then over ",
+    (ROUND, OVER): "goes straight up and over ",
+    (UNDER, OVER): "goes straight up and over ",
+    (OVER, ROUND): "goes straight down and round ",
+    (OVER, UNDER): "goes straight down and under ",
+}
+"""How it goes on from one pulley to the next: above the one that turns it hangs another, on which it pulls straight."""
+
+
+@connection
+class String(Connection):
+    """A string through ports, from end to end. Where neighbours' directions need a fixed pulley it brings one."""
+
+    key: ClassVar[str] = "tendon"
+    joins: ClassVar[type[Port]] = StringPort
+    free: FreeLength = FREE
+
+    @classmethod
+    def between(cls, *stops: tuple[str, StringPort]) -> Self:
+        """Return a string through ports of named entities: ``between(("a", Ramp.right), ("b", Hook.end))``."""
+        return cls(links=tuple(Link(entity=name, port=port.name) for name, port in stops))
+
+    @property
+    def spacing(self) -> float:
+        """Return how long it is between neighbours at the start, m."""
+        return self.free
+
+    def brings(self, joint: Joint, builder: Builder) -> dict[str, Body]:
+        """Return the light fixed pulleys that it brings, in the order of travel."""
+        count = sum(turn is not None for turn in turns(joint.stops, builder))
+        return {f"{joint.name}.pulley{number}": FixedPulley() for number in range(1, count + 1)}
+
+    def build(self, joint: Joint, builder: Builder) -> None:
+        """Lead it through the sites of its stops and over its own pulleys; a hand at its end pulls it."""
+        name, stops = joint.name, joint.stops
+        frame = builder.room(name)
+        path: list[str] = []
+        number = 0
+        for stop, turn in zip(stops, [*turns(stops, builder), None], strict=True):
+            path.extend(travelled_sites(stop, first=not path))
+            if turn is not None:
+                number += 1
+                for site, mark in zip(turn, ("in", "out"), strict=True):
+                    away = scale(self.free, builder.faces[site] or ZERO)
+                    frame.site(f"pulley{number}.{mark}", at=add(builder.position(site), away))
+                    path.append(f"{name}.pulley{number}.{mark}")
+        if all(builder.carrier(site) is None for site in path):
+            raise SceneError(name, "nothing hangs on this string", "tie at least one end to a body")
+        if path[0] in builder.drawing:
+            path.reverse()
+        if path[0] in builder.drawing:
+            raise SceneError(name, "both ends of one string are drawn in", "fix or load one of its ends")
+        builder.add_line(name, path, Inextensible(), last=builder.drawing.get(path[-1]))
+
+    @classmethod
+    def parse(
+        cls, name: str, place: int, state: S, matcher: SentenceMatcher[S], routes: Routes[S]
+    ) -> Iterator[ParsedSentence[S]]:
+        """Read its sentence back: the opening, what it is tied to, then verb by verb."""
+        return SentenceParser(name, matcher, routes).sentence(place, state)
+
+    def describe(self, joint: Joint, writer: SentenceWriter) -> str:
+        """Return its one sentence: what it is tied to, what it passes, where it ends."""
+        name = joint.name
+        stops = max(joint.stops, reversed_path(joint.stops), key=lambda path: _worth(path[0]))
+        first = stops[0]
+        if not isinstance(first.port, StringEnd) or not _worth(first):
+            raise SceneError(name, "nothing hangs on this string", "tie at least one end to a body")
+        opening = writer.choose((*HANGING, *OPENINGS) if first.port.hangs else OPENINGS)
+        string = writer.choose(string_names(writer.finished))
+        tied = writer.render(first.port.tied, first.owner)
+        leaves = first.port.leaves and opening not in HANGING
+        verbs = [writer.render(first.port.leaves, first.owner)] if leaves else []
+        gaps = turns(stops, writer.builder)
+        order = [f"{name}.pulley{n}" for n in range(1, 1 + sum(turn is not None for turn in gaps))]
+        if stops[0] != joint.stops[0]:
+            order.reverse()
+        for index, (stop, turn) in enumerate(zip(stops[1:], gaps, strict=True), start=1):
+            if turn is not None:
+                verbs.append(winding(turn, writer.builder) + writer.at(order.pop(0)))
+            verbs.append(writer.render(clause(stop.port, passed_by(stops, index, writer.builder)), stop.owner))
+        return opening.replace("{string}", string).replace("{tied}", tied).replace("{verbs}", joined(verbs))
+
+
+def clause(port: SitePort, way: str = OVER) -> str:
+    """Return the verb phrase with which a string comes to a port; `way` is how it goes by a pulley fixed there."""
+    if isinstance(port, Pass):
+        return way + port.passes.removeprefix(OVER) if port.passes.startswith(OVER) else port.passes
+    return port.arrives if isinstance(port, StringEnd) else ""
+
+
+def passed_by(stops: Sequence[Stop], index: int, builder: Builder) -> str:
+    """Return how a string goes by a pulley of a stop: where its sides may point anywhere, its neighbours tell."""
+    if not isinstance(stops[index].port, Pass) or any(builder.faces[site] for site in stops[index].sites):
+        return OVER
+    turn = travelled_sites(stops[index - 1], first=index == 1)[-1], travelled_sites(stops[index + 1], first=False)[0]
+    return winding(turn, builder) if all(builder.faces[site] for site in turn) else OVER
+
+
+def string_names(sentences: Iterable[str]) -> tuple[str, ...]:
+    """What a string may be called after some sentences, by how many they tell; those of a row are not counted."""
+    text = " ".join(sentences)
+    count = len(_ONE.findall(text))
+    return AGAIN if "light strings" in text or count >= len(CALLED) else CALLED[count]
+
+
+def _worth(stop: Stop) -> int:
+    """Return how well a sentence begins here: best at what moves, not at all at a hand."""
+    port = stop.port
+    return bool(port.tied) + bool(port.leaves) if isinstance(port, StringEnd) else 0
+
+
+def travelled_sites(stop: Stop, *, first: bool) -> tuple[str, ...]:
+    """Return the sites of a stop in the order of travel; an end is listed from the inside out."""
+    return stop.sites if first or not isinstance(stop.port, StringEnd) else stop.sites[::-1]
+
+
+def reversed_path(stops: Sequence[Stop]) -> tuple[Stop, ...]:
+    """Return the same path from its other end."""
+    return tuple(
+        Stop(s.owner, s.port, s.flipped if isinstance(s.port, StringEnd) else not s.flipped) for s in reversed(stops)
+    )
+
+
+def turns(stops: Sequence[Stop], builder: Builder) -> list[tuple[str, str] | None]:
+    """For each gap between stops the two sites on its sides if a fixed pulley must turn the string there."""
+    found: list[tuple[str, str] | None] = []
+    for index, (one, other) in enumerate(pairwise(stops)):
+        leaves = travelled_sites(one, first=index == 0)[-1]
+        reaches = travelled_sites(other, first=False)[0]
+        straight = opposite(builder.faces[leaves], builder.faces[reaches])
+        found.append(None if straight else (leaves, reaches))
+    return found
+
+
+def winding(turn: tuple[str, str], builder: Builder) -> str:
+    """A pulley lies on the side to which the string bends: below a string that goes over it, above one that goes under.
+
+    It goes over where it comes up to the pulley on a side and down to it on none, whatever the angles are: the word
+    tells nothing of them. Where it comes up and goes on up, or stays level, it goes round.
+    """
+    rises = [(builder.faces[site] or ZERO)[2] for site in turn]
+    over, under = any(rise > LEVEL for rise in rises), any(rise < -LEVEL for rise in rises)
+    return ROUND if over == under else OVER if over else UNDER
+
+
+def joined(verbs: list[str]) -> str:
+    """V, V and V; a repeated verb becomes *then*, and a way that the next verb tells whole is not told twice."""
+    verbs = verbs[1:] if len(verbs) > 1 and verbs[1].startswith(verbs[0]) else verbs
+    said = [verbs[0], *(after(before, verb) for before, verb in pairwise(verbs))]
+    return said[0] if len(said) == 1 else ", ".join(said[:-1]) + " and " + said[-1]
+
+
+def after(before: str, verb: str) -> str:
+    """Return a verb phrase as it is said after another one."""
+    for (one, other), onward in ONWARD.items():
+        if before.startswith(one) and verb.startswith(other):
+            return onward + verb.removeprefix(other)
+    return verb
+
+
+class SentenceParser(Generic[S]):
+    """Follows one sentence of a string through all that it can mean."""
+
+    def __init__(self, name: str, matcher: SentenceMatcher[S], routes: Routes[S]) -> None:
+        """`routes` knows where the string may begin and go on."""
+        self._name, self._matcher, self._routes = name, matcher, routes
+        self._text = self._end = ""
+
+    def sentence(self, place: int, state: S) -> Iterator[ParsedSentence[S]]:
+        """Yield all readings of the piece at `place`."""
+        if place >= len(self._matcher.pieces):
+            return
+        self._text = self._matcher.pieces[place]
+        names = string_names(self._matcher.pieces[:place])
+        for hangs, openings in ((False, OPENINGS), (True, (*HANGING, *OPENINGS))):
+            for number, opening in enumerate(openings):
+                for which, string in enumerate(names):
+                    chosen = state.with_choice(number).with_choice(which)
+                    for told in self._opened(opening.replace("{string}", string), chosen, hangs=hangs):
+                        self._matcher.reach = max(self._matcher.reach, place + 1)
+                        yield told
+
+    def _opened(self, opening: str, state: S, *, hangs: bool) -> Iterator[ParsedSentence[S]]:
+        """Yield all readings with one opening, at ends on which something hangs or at others."""
+        start, rest = opening.split("{tied}")
+        between, self._end = rest.split("{verbs}")
+        at = self._matcher.literal(self._text, 0, start)
+        if at is not None and between in self._text and self._text.endswith(self._end):
+            yield from self._tied(at, between, state, hangs=hangs)
+
+    def _tied(self, at: int, between: str, state: S, *, hangs: bool) -> Iterator[ParsedSentence[S]]:
+        """Yield what it is tied to, and how it leaves there."""
+        for leg in self._routes.legs(String, state, ()):
+            stop = leg.stops[0]
+            if not isinstance(stop.port, StringEnd) or not stop.port.tied or stop.port.hangs is not hangs:
+                continue
+            for end, then in self._matcher.template(self._text, at, stop.port.tied, stop.owner, leg.state):
+                begin = self._matcher.literal(self._text, end, between)
+                rest = replace(leg, stops=leg.stops[1:])
+                if begin is not None and stop.port.leaves:
+                    for here, left in self._matcher.template(self._text, begin, stop.port.leaves, stop.owner, then):
+                        yield from self._on(here, replace(rest, state=left), (leg.link,), (), stop.port.leaves)
+                if begin is not None:  # how it leaves may be left to the verb after it
+                    yield from self._on(begin, replace(rest, state=then), (leg.link,), (), "")
+
+    def _on(
+        self, at: int, leg: Leg[S], links: tuple[Link, ...], owned: tuple[str, ...], before: str
+    ) -> Iterator[ParsedSentence[S]]:
+        """Yield the verbs from `at` on: the other stops of this leg, then of the legs to come."""
+        if leg.stops:
+            yield from self._next(at, leg, links, owned, before)
+        elif not leg.last:
+            for new in self._routes.legs(String, leg.state, links):
+                yield from self._on(at, new, (*links, new.link), owned, before)
+        elif self._text[at:] == self._end:
+            yield ParsedSentence(leg.state, links, owned)
+
+    def _next(
+        self, at: int, leg: Leg[S], links: tuple[Link, ...], owned: tuple[str, ...], before: str
+    ) -> Iterator[ParsedSentence[S]]:
+        """Yield the next stop, perhaps behind a pulley that the string brings."""
+        stop, rest = leg.stops[0], leg.stops[1:]
+        final = leg.last and not rest
+        for verb in dict.fromkeys(clause(stop.port, way) for way in WAYS):
+            for end, then in self._verb(at, verb, before, leg.state, stop.owner, final=final):
+                yield from self._on(end, replace(leg, stops=rest, state=then), links, owned, verb)
+        if owned and before.endswith(f"{{{owned[-1]}}}"):
+            return  # there is one pulley in a gap at most
+        address = f"{self._name}.pulley{len(owned) + 1}"
+        own = leg.state.with_kind(address, FixedPulley).with_value(f"{address}.mass", 0.0) or leg.state
+        for word in WAYS:  # which of them is right, telling it again will show
+            passed = f"{word}{{{address}}}"
+            for end, then in self._verb(at, passed, before, own, "", final=False):
+                yield from self._next(end, replace(leg, state=then), links, (*owned, address), passed)
+
+    def _verb(self, at: int, verb: str, before: str, state: S, owner: str, *, final: bool) -> Iterator[tuple[int, S]]:
+        """Yield one verb phrase with what joins it to the one before."""
+        said, comma = (after(before, verb), " and " if final else ", ") if before else (verb, "")
+        begin = self._matcher.literal(self._text, at, comma)
+        if begin is None:
+            return
+        yield from self._matcher.template(self._text, begin, said, owner, state)

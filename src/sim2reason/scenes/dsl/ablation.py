@@ -1,0 +1,161 @@
+"""Changed mechanisms: parts held, left out or simplified; and which coordinates can move."""
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from itertools import pairwise
+from math import hypot
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sim2reason.scenes.dsl.frames import BodyFrame, Frames, start
+from sim2reason.scenes.dsl.mechanism import NO_INERTIA, ZERO, Face, Inextensible, Line, Mechanism, Rigid, RigidBody
+from sim2reason.scenes.dsl.vectors import Point
+
+NEARLY_NOTHING = 1e-6  # of a mass: what is left of a body that is left out, so that no equation becomes singular
+
+
+def held(mechanism: Mechanism, name: str) -> Mechanism:
+    """A body held where it is on what carries it; a wheel that it turned, or that it is, holds strings fast with it.
+
+    What a scene has `glued` was never let move; only of a pulley that is something else: one that is glued is smooth.
+    """
+    gone = {coordinate.name for coordinate in mechanism.body[name].coordinates}
+    body = replace(mechanism.body[name], coordinates=())
+    return replace(
+        mechanism,
+        bodies=_swapped(mechanism, body),
+        faces=tuple(_without_slip(face, gone) for face in mechanism.faces if face.subject != name),
+        lines=tuple(_without_wheels(line, gone) for line in mechanism.lines),
+        feet=tuple(foot for foot in mechanism.feet if mechanism.site[foot.site].body != name),
+        burns=tuple(burn for burn in mechanism.burns if burn.body != name),
+    )
+
+
+def left_out(mechanism: Mechanism, name: str) -> Mechanism:
+    """Return all but without a body: it has next to no mass, meets nothing, and nothing but lines acts on it."""
+    body = mechanism.body[name]
+    light = replace(
+        body, mass=NEARLY_NOTHING * body.mass, inertia=tuple(NEARLY_NOTHING * part for part in body.inertia)
+    )
+    return replace(
+        mechanism,
+        bodies=_swapped(mechanism, light),
+        faces=tuple(replace(face, friction=0.0) if face.subject == name else face for face in mechanism.faces),
+        forces=tuple(force for force in mechanism.forces if force.body != name),
+        attractions=tuple(pull for pull in mechanism.attractions if name not in (pull.a, pull.b)),
+        meetings=tuple(meeting for meeting in mechanism.meetings if name not in meeting.names),
+    )
+
+
+def with_bodies(mechanism: Mechanism, names: Iterable[str], change: Callable[[RigidBody], RigidBody]) -> Mechanism:
+    """Return some bodies changed."""
+    chosen = set(names)
+    bodies = tuple(change(body) if body.name in chosen else body for body in mechanism.bodies)
+    return replace(mechanism, bodies=bodies)
+
+
+def with_lines(mechanism: Mechanism, names: Iterable[str], change: Callable[[Line], Line]) -> Mechanism:
+    """Return some lines changed."""
+    chosen = set(names)
+    return replace(mechanism, lines=tuple(change(line) if line.name in chosen else line for line in mechanism.lines))
+
+
+def inertialess(body: RigidBody) -> RigidBody:
+    """Return a body whose mass is all at its centre of mass."""
+    return replace(body, inertia=NO_INERTIA)
+
+
+def _swapped(mechanism: Mechanism, body: RigidBody) -> tuple[RigidBody, ...]:
+    return tuple(body if other.name == body.name else other for other in mechanism.bodies)
+
+
+def _without_slip(face: Face, gone: set[str]) -> Face:
+    slip = tuple(term for term in face.slip if term[0] not in gone)
+    return face if len(slip) == len(face.slip) else replace(face, slip=slip)
+
+
+def _without_wheels(line: Line, gone: set[str]) -> Line:
+    wheels = tuple(wheel for wheel in line.wheels if wheel.coordinate not in gone)
+    return line if len(wheels) == len(line.wheels) else replace(line, wheels=wheels)
+
+
+SMALL = 1e-9  # of a velocity of 1 m/s or 1 rad/s
+EVEN = 1e-9  # what is vertical in a level direction
+
+
+def stuck_bodies(mechanism: Mechanism) -> tuple[str, ...]:
+    """Return the bodies that have coordinates, and yet nothing lets them begin to move."""
+    frames = start(mechanism)
+    ways = motions(mechanism, frames)
+    stuck: list[str] = []
+    for body in mechanism.bodies:
+        numbers = [mechanism.number[coordinate.name] for coordinate in body.coordinates]
+        steps = [step.number for step in frames[body.name].steps]
+        if numbers and not np.abs(ways[:, steps]).max(initial=0.0) > SMALL:
+            stuck.append(body.name)
+    return tuple(stuck)
+
+
+def is_weightless(mechanism: Mechanism) -> bool:
+    """Return whether something can move that has no inertia, such as a light pulley on which nothing hangs."""
+    frames = start(mechanism)
+    ways = motions(mechanism, frames)
+    inertia = np.zeros((len(ways), len(ways)))
+    for body in mechanism.bodies:
+        center = frames.center(body.name)
+        moved = np.zeros((3, len(mechanism.coordinates)))
+        for number, axis in center.gradient.items():
+            moved[:, number] = axis
+        inertia += body.mass * (ways @ moved.T) @ (moved @ ways.T)
+        xx, yy, zz, xy, xz, yz = body.inertia
+        tensor = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+        turned = np.zeros((3, len(mechanism.coordinates)))
+        for step in frames[body.name].hinges:
+            turned[:, step.number] = step.axis
+        inertia += (ways @ turned.T) @ tensor @ (turned @ ways.T)
+    return bool(len(ways)) and float(np.linalg.eigvalsh(inertia).min()) < SMALL
+
+
+def motions(mechanism: Mechanism, frames: Frames) -> NDArray[np.float64]:
+    """Independent rates of the coordinates that keep the length of every string and rod, a row each."""
+    size = len(mechanism.coordinates)
+    rows: list[NDArray[np.float64]] = []
+    for line in mechanism.lines:
+        if not isinstance(line.law, Inextensible | Rigid):
+            continue
+        row = np.zeros(size)
+        for wheel in line.wheels:
+            row[mechanism.number[wheel.coordinate]] += wheel.radius
+        for first, last in pairwise(line.through):
+            for number, part in frames.distance(first, last).along.items():
+                row[number] += float(part)
+        rows.append(row)
+    if not rows or not size:
+        return np.eye(size)
+    _, sizes, ways = np.linalg.svd(np.array(rows))
+    return ways[int((sizes > SMALL).sum()) :]
+
+
+def weighs(mechanism: Mechanism) -> bool:
+    """Return whether g can matter: something presses on a face, or rises and falls as it slides or turns."""
+    return mechanism.gravity != ZERO and would_weigh(mechanism)
+
+
+def would_weigh(mechanism: Mechanism) -> bool:
+    """Return whether gravity would affect a mechanism, so that a text must say if there is no gravity."""
+    if mechanism.contacts:
+        return True
+    frames = start(mechanism)
+    return any(_rises(frames[body.name], frames.center(body.name)) for body in mechanism.bodies if body.mass > 0.0)
+
+
+def _rises(frame: BodyFrame, center: Point) -> bool:
+    """Return whether some coordinate can move a point up or down, now or once others have turned it."""
+    for step in frame.steps:
+        if step.pivot is None:
+            if abs(step.axis[2]) > EVEN or any(abs(hinge.axis[2]) < 1.0 - EVEN for hinge in frame.hinges):
+                return True
+        elif abs(step.axis[2]) < 1.0 - EVEN and hypot(*center.gradient[step.number]) > EVEN:
+            return True
+    return False

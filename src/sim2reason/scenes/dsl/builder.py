@@ -1,0 +1,343 @@
+"""The verbs that entities speak; `Frame` says them, and the one `Builder` turns them into a `Mechanism`."""
+
+from collections.abc import Iterable
+from math import inf
+
+from sim2reason.scenes.dsl.collector import WHEEL_RADIUS, Axes, Collector, Rim
+from sim2reason.scenes.dsl.fields import Law
+from sim2reason.scenes.dsl.mechanism import (
+    NO_INERTIA,
+    ZERO,
+    Attraction,
+    Burn,
+    ConstantTension,
+    Coordinate,
+    Elastic,
+    Face,
+    Foot,
+    Force,
+    Inextensible,
+    Meeting,
+    Prop,
+    Rigid,
+    RigidBody,
+    Y,
+    Z,
+)
+from sim2reason.scenes.dsl.vectors import Region, Tensor, Vector, add, inner, outer, unit
+
+__all__ = ["WHEEL_RADIUS", "Axes", "Builder", "Frame", "Rim"]
+
+
+class Frame:
+    """A body under construction, or the room, with the methods that build a mechanism.
+
+    Everything that is made on a frame moves with it. Methods that add to the body return the frame, so that calls can
+    be chained. Vectors are in the axes of the room at the start: x to the right, y away from the reader, z up; lengths
+    are in m, masses in kg, angles in radians.
+
+    Args:
+        builder: Builder that collects the parts.
+        prefix: Address that precedes all names made here.
+        body: Address of the body; None for the room.
+        at: Position of the frame in the room.
+        origin: Position of the entity in the room; by default that of the frame.
+
+    Attributes:
+        prefix: Address that precedes all names made here.
+        name: Address of the body; None for the room.
+        at: Position of the frame in the room.
+        origin: Position of the entity in the room.
+        own_name: Address of the body; ValueError for the room.
+
+    Examples:
+        >>> from sim2reason.authoring import X, Z
+        >>> from sim2reason.scenes.dsl.builder import Builder
+        >>> builder = Builder()
+        >>> builder.room("floor").body("block", 2.0).rest(X, Z, friction=0.2, speed=3.0)
+        <Frame of 'floor.block' at (0.0, 0.0, 0.0)>
+        >>> builder.finish()
+        <Mechanism: 1 body, 1 coordinate, 1 face>
+    """
+
+    def __init__(
+        self, builder: Collector, prefix: str, body: str | None, at: Vector, origin: Vector | None = None
+    ) -> None:
+        """Create a frame at `at` in the room, for the entity at `origin`; `prefix` precedes every name made here."""
+        self._builder, self.prefix, self.name, self.at = builder, prefix, body, at
+        self.origin = at if origin is None else origin
+
+    def __repr__(self) -> str:
+        """Return the name of the body, or that of the room, and the place in the room."""
+        return f"<Frame of {'the room' if self.name is None else repr(self.name)} at {self.at}>"
+
+    def address(self, name: str) -> str:
+        """Return the full address of a name that is made here."""
+        return f"{self.prefix}.{name}" if self.prefix else name
+
+    def part(self, name: str, at: Vector = ZERO) -> "Frame":
+        """Return the same body, shifted by `at`, with `name` before all names: the frame for a part of an entity."""
+        return Frame(self._builder, self.address(name), self.name, add(self.at, at), self.origin)
+
+    def body(
+        self, name: str, mass: float = 0.0, *, at: Vector = ZERO, center: Vector = ZERO, inertia: Tensor = NO_INERTIA
+    ) -> "Frame":
+        """Add a body that is carried by this one, with its frame at `at`; it is fixed until it is given a motion.
+
+        The centre of mass, `center`, and the `inertia` about it are in the axes of the room at the start.
+        """
+        address, where = self.address(name), add(self.at, at)
+        relative = self._builder.relative(self.name, where)
+        self._builder.add_body(RigidBody(address, self.name, relative, mass, center, inertia))
+        return Frame(self._builder, self.prefix, address, where, self.origin)
+
+    def turned(self, axes: Axes) -> "Frame":
+        """Set the directions of the axes of this body at the start; only drawings use them."""
+        self._builder.turned[self._own()] = axes
+        return self
+
+    def slide(
+        self,
+        axis: Vector,
+        speed: float = 0.0,
+        limits: tuple[float, float] = (-inf, inf),
+        name: str = "slide",
+        stated: tuple[str, float] | None = None,
+    ) -> "Frame":
+        """Let it move along `axis`, on which it starts as `stated`; call twice, with another name, for two."""
+        own, way = self._own(), unit(axis)
+        self._builder.add_coordinate(Coordinate(f"{own}.{name}", own, name, "slide", way, speed, *limits, stated))
+        return self
+
+    def hinge(
+        self, axis: Vector, speed: float = 0.0, limits: tuple[float, float] = (-inf, inf), name: str = "hinge"
+    ) -> "Frame":
+        """Let it turn about `axis` through the origin of its frame; limits in radians."""
+        own = self._own()
+        self._builder.add_coordinate(Coordinate(f"{own}.{name}", own, name, "hinge", unit(axis), speed, *limits))
+        return self
+
+    def rest(
+        self,
+        along: Vector,
+        normal: Vector,
+        friction: float = 0.0,
+        speed: float = 0.0,
+        limits: tuple[float, float] = (-inf, inf),
+        name: str = "slide",
+        static: float | None = None,
+    ) -> "Frame":
+        """Lay the body on its parent's face, free to slide along `along` and pressed along `normal`.
+
+        Until the body slides, the face holds it by the coefficient `static`, by default equal to `friction`.
+        """
+        self.slide(along, speed, limits, name)
+        slip = ((f"{self.name}.{name}", 1.0),)
+        self._builder.add_face(Face(self._own(), unit(normal), slip, friction, static_ratio=_ratio(static, friction)))
+        return self
+
+    def roll(
+        self,
+        along: Vector,
+        normal: Vector,
+        radius: float,
+        friction: float = inf,
+        speed: float = 0.0,
+        spin: float | None = None,
+        static: float | None = None,
+    ) -> "Frame":
+        """Lay a round body on its parent's face, free to slide and turn there, its axis at the origin of its frame.
+
+        `spin`, rad/s, is positive in the sense of rolling along `along`; by default the body rolls at the start. With
+        infinite `friction` it never slips; until it slips, the coefficient is `static`, by default that of `friction`.
+        """
+        own, way, out = self._own(), unit(along), unit(normal)
+        self.slide(way, speed)
+        self.hinge(outer(out, way), speed / radius if spin is None else spin)
+        slip = ((f"{own}.slide", 1.0), (f"{own}.hinge", -radius))
+        self._builder.add_face(Face(own, out, slip, friction, static_ratio=_ratio(static, friction)))
+        return self
+
+    def swing(
+        self, axis: Vector, normal: Vector, radius: float, *, friction: float = 0.0, speed: float = 0.0, guided: bool
+    ) -> "Frame":
+        """Lay a small body on a round face about the origin of its frame, along which it turns with `speed`, rad/s.
+
+        Its centre of mass lies `radius` from there; `normal` points out of the face, where it is at the start.
+        `guided`: it can't leave, as a bead on a hoop.
+        """
+        own = self._own()
+        self.hinge(axis, speed)
+        slip = ((f"{own}.hinge", radius),)
+        self._builder.add_face(Face(own, unit(normal), slip, friction, turning=True, guided=guided))
+        return self
+
+    def site(self, name: str, at: Vector = ZERO, faces: Vector | None = None) -> "Frame":
+        """Mark a point of this body for strings; `faces` is the way in which one must leave, None for any way."""
+        self._builder.add_site(self.address(name), self.name, add(self.at, at), faces)
+        return self
+
+    def hand(self, name: str, force: float) -> "Frame":
+        """Mark a point at which a hand draws whatever string ends there with a constant force."""
+        self.site(name)
+        self._builder.drawing[self.address(name)] = ConstantTension(force)
+        return self
+
+    def winch(self, name: str, speed: float) -> "Frame":
+        """Mark a point at which whatever string ends there is taken in with a constant speed, m/s, from t = 0 on."""
+        self.site(name)
+        self._builder.drawing[self.address(name)] = Inextensible(reel=speed)
+        return self
+
+    def pulley(
+        self,
+        name: str,
+        at: Vector = ZERO,
+        mass: float = 0.0,
+        radius: float = WHEEL_RADIUS,
+        faces: Vector | None = None,
+    ) -> Rim:
+        """Fix a pulley's axle to this body; a mass makes it a uniform disc that the string turns.
+
+        Its two rim points lie `radius` to the left and right of the axle; strings leave them towards
+        `faces`. One that is glued is a smooth peg, over which strings slide; a wheel that is held holds them, too.
+        """
+        address, left, right = self.address(name), self.address(f"{name}.left"), self.address(f"{name}.right")
+        self._builder.add_site(left, self.name, add(self.at, at, (-radius, 0.0, 0.0)), faces)
+        self._builder.add_site(right, self.name, add(self.at, at, (radius, 0.0, 0.0)), faces)
+        if mass == 0.0:
+            return self._builder.add_pulley(address, Rim(left, right, None, radius))
+        self.body(name, mass, at=at, inertia=axial_inertia(0.5 * mass * radius**2)).hinge(Y)
+        return self._builder.add_pulley(address, Rim(left, right, f"{address}.hinge", radius))
+
+    def string(self, name: str, *through: str | Rim, slack: float = 0.0, reel: float = 0.0) -> None:
+        """Stretch a string from end to end through sites, by address; a pulley stands for its rim, left to right.
+
+        It has `slack`, m, to spare at the start and is taken in at `reel`, m/s.
+        """
+        self._builder.add_line(self.address(name), _flat(through), Inextensible(slack, reel))
+
+    def pull(self, name: str, *through: str | Rim, force: float) -> None:
+        """Like `string`, but its last stop is a hand that draws it in with a constant force."""
+        self._builder.add_line(self.address(name), _flat(through), Inextensible(), last=ConstantTension(force))
+
+    def rod(self, name: str, a: str, b: str) -> None:
+        """Join two sites by a light rod that keeps their distance."""
+        self._builder.add_line(self.address(name), (a, b), Rigid())
+
+    def prop(self, name: str, a: str, b: str) -> None:
+        """Keep two sites from coming nearer than they are at the start."""
+        self._builder.add_line(self.address(name), (a, b), Prop())
+
+    def spring(
+        self, name: str, *through: str | Rim, stiffness: float, length: float | None = None, damping: float = 0.0
+    ) -> None:
+        """Join sites by a light spring of a natural length, m, by default that which it has at the start."""
+        self._builder.add_spring(self.address(name), _flat(through), stiffness, length, damping)
+
+    def wound(self, name: str, rim: str, end: str, across: float) -> None:
+        """Lead a string wound round the rim of this body down to the site `end`; the body turns about y by its hinge.
+
+        `rim` is a site of the room, `across`, m, to the right of the axle: a right-handed turn takes in a string that
+        hangs to the left. A body that is glued holds its string.
+        """
+        self._builder.add_wound(self.address(name), self._own(), (rim, end), -across)
+
+    def wind(self, name: str, a: "Frame", b: "Frame", radius: float, arc: float, law: Elastic) -> None:
+        """Join two bodies that turn about one axis by a light spring along their circle, right-handed from `a` to `b`.
+
+        It is as long as the `arc` between them, m, at the start.
+        """
+        self._builder.add_arc(self.address(name), (a.own_name, b.own_name), radius, arc, law)
+
+    def buffer(self, name: str, a: str, b: str, stiffness: float, length: float) -> None:
+        """Put a light spring at a site that pushes another one away once that is nearer than its natural length, m."""
+        self._builder.add_line(self.address(name), (a, b), Elastic(stiffness, length, acts="pushes"))
+
+    def force(self, name: str, law: Law, region: Region | None = None) -> None:
+        """Let a force act on this body at its centre of mass; law and region count places from the entity's origin."""
+        here = None if region is None else region.moved(self.origin)
+        self._builder.forces.append(Force(self.address(name), self._own(), law.moved(self.origin), here))
+
+    def collide(self, a: "Frame", b: "Frame", distance: float, restitution: float, *, sticks: bool = False) -> None:
+        """Let two bodies bounce when their centres come within `distance`."""
+        self._builder.meetings.append(Meeting(a.own_name, b.own_name, distance, restitution, None, sticks))
+
+    def bump(
+        self, a: "Frame", b: "Frame", normal: Vector, distance: float, restitution: float, *, sticks: bool = False
+    ) -> None:
+        """Let two bodies bounce when `b` is less than `distance` ahead of `a` along `normal`; `a` may be the room."""
+        away = a.name
+        if away is None:
+            distance += inner(normal, a.at)
+        self._builder.meetings.append(Meeting(away, b.own_name, distance, restitution, unit(normal), sticks))
+
+    def attract(self, other: "Frame", constant: float) -> None:
+        """Let this body and another attract each other by Newton's law with a constant of gravitation."""
+        self._builder.attractions.append(Attraction(self._own(), other.own_name, constant))
+
+    def burn(self, rate: float, exhaust: float, until: float, direction: Vector = Z) -> None:
+        """Let it eject mass at `rate`, kg/s, with a speed relative to it, until a time, s; thrust along `direction`."""
+        self._builder.burns.append(Burn(self._own(), rate, exhaust, until, unit(direction)))
+
+    def stand(self, name: str, at: Vector, along: Vector, normal: Vector, on: Vector | None = None) -> None:
+        """Let a point of this body be a foot that may stand on a plane of the room, through `on` if that is given.
+
+        By default the plane goes through the foot as it is now; `on` is counted from where the body's frame stands.
+        """
+        self.site(name, at)
+        where = self._builder.position(self.address(name)) if on is None else add(self.at, on)
+        self._builder.feet.append(Foot(self.address(name), self.address(name), normal, along, inner(normal, where)))
+
+    @property
+    def own_name(self) -> str:
+        """Return the address of this body; ValueError for the room."""
+        return self._own()
+
+    def _own(self) -> str:
+        if self.name is None:
+            raise ValueError("the room itself neither moves nor collides")
+        return self.name
+
+
+def _ratio(static: float | None, friction: float) -> float:
+    """Return the ratio of static to kinetic friction; 1 if `static` is None or `friction` is 0 or infinite."""
+    return 1.0 if static is None or not 0.0 < friction < inf else static / friction
+
+
+def _flat(through: Iterable[str | Rim]) -> list[str]:
+    return [site for stop in through for site in ((stop,) if isinstance(stop, str) else (stop.left, stop.right))]
+
+
+def axial_inertia(inertia: float) -> Tensor:
+    """Return the inertia tensor of a flat disc in the xz plane, whose axis is y.
+
+    Args:
+        inertia: Moment of inertia about the axis, kg m².
+
+    Returns:
+        The components xx, yy, zz, xy, xz and yz, kg m²; about a diameter it is half of `inertia`.
+
+    Examples:
+        >>> from sim2reason.authoring import axial_inertia
+        >>> axial_inertia(0.4)
+        (0.2, 0.4, 0.2, 0.0, 0.0, 0.0)
+    """
+    return (0.5 * inertia, inertia, 0.5 * inertia, 0.0, 0.0, 0.0)
+
+
+class Builder(Collector):
+    """A mechanism under construction."""
+
+    def room(self, name: str = "", at: Vector = ZERO) -> Frame:
+        """Return the room, for one entity: `name` goes before all its names, `at` is where it stands."""
+        self.origins[name] = at
+        return Frame(self, name, None, at)
+
+    def mount(self, name: str, site: str, *, stiff: bool) -> Frame:
+        """Return the body that carries a site, for an entity that stands there; `stiff`: it can't move on it."""
+        carrier, where = self.carrier(site), self.position(site)
+        self.origins[name] = where
+        if stiff:
+            self.welded[name] = carrier
+        return Frame(self, name, carrier, where)

@@ -1,0 +1,169 @@
+"""Chances and special values for checks and examples, and connections that close the ports of an entity."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from sim2reason.errors import SceneError
+from sim2reason.scenes.dsl.body import Body
+from sim2reason.scenes.dsl.connection import CONNECTIONS, Connection, Link
+from sim2reason.scenes.dsl.entity import ENTITIES, Entity, Named, Part, outer_ports
+from sim2reason.scenes.dsl.model import Choice, Model, draw, field_types
+from sim2reason.scenes.dsl.ports import Pass, Port
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.vacancies import vacated
+
+OPTIONAL = 0.5
+SPECIAL = 0.2  # the chance of a value that a word tells, such as smooth or horizontal
+
+
+def choices(cls: type[Model], rng: np.random.Generator) -> dict[str, Choice]:
+    """Return random choices for one draw of a class and of all classes that it may hold."""
+    found = chances(cls)
+    for model in reachable(cls):
+        for name, kind in field_types(model).items():
+            special = specials(model, name)
+            if kind.measure is not None and special and rng.random() < SPECIAL:
+                found[f"{model.__name__}.{name}"] = special[int(rng.integers(len(special)))]
+    return found
+
+
+def chances(cls: type[Model]) -> dict[str, Choice]:
+    """Return the chance that each optional field has a value, of a class and of all classes that it may hold."""
+    return {
+        f"{model.__name__}.{name}?": OPTIONAL
+        for model in reachable(cls)
+        for name, kind in field_types(model).items()
+        if (kind.optional or not model.model_fields[name].is_required()) and (kind.drawn or kind.models or kind.words)
+    }
+
+
+def specials(model: type[Model], name: str) -> list[float]:
+    """Return the values of a number that the text states by a word, such as 0 for *smooth*."""
+    words = model.words.values() if issubclass(model, Body | Part) else ()
+    return sorted(
+        {value for word in words if word.parameter == name for value in word.special if isinstance(value, float)}
+    )
+
+
+def reachable(cls: type[Model]) -> list[type[Model]]:
+    """Return a class and all classes that it may hold, each once."""
+    found: list[type[Model]] = []
+    waiting = [cls]
+    while waiting:
+        model = waiting.pop()
+        if model not in found:
+            found.append(model)
+            waiting.extend(_held(model))
+    return found
+
+
+def _held(model: type[Model]) -> Iterator[type[Model]]:
+    for kind in field_types(model).values():
+        yield from kind.models
+
+
+USED = 0.5  # the chance that a port that may stay open is used
+
+
+@dataclass(frozen=True, slots=True)
+class Option:
+    """A way to close a port: a kind of connection to ports of other entities, those before it and those behind it."""
+
+    kind: type[Connection]
+    before: tuple[tuple[type[Entity], str], ...]
+    behind: tuple[tuple[type[Entity], str], ...]
+
+    @property
+    def partners(self) -> tuple[type[Entity], ...]:
+        """Return the classes of the other entities."""
+        return tuple(cls for cls, _ in (*self.before, *self.behind))
+
+
+def closed(named: Named, rng: np.random.Generator, *, widely: bool = False) -> Scene:
+    """Return a scene of an entity whose ports are connected: each required one, and each other one at even odds.
+
+    `widely`: to any entity, with bodies or without.
+
+    Raises:
+        SceneError: there is nothing to close a port with, or what was drawn does not fit.
+    """
+    made = _Scene([named])
+    for name, port in outer_ports(type(named.entity)).items():
+        if not port.required and rng.random() > USED:
+            continue
+        options = closers(type(named.entity), name, widely=widely)
+        if options:
+            made.close(Link(entity=named.name, port=name), options[int(rng.integers(len(options)))], rng)
+        elif port.required:
+            place = f"{type(named.entity).__name__}.{name}"
+            raise SceneError(place, "no connection leads from it to any entity", "declare what it can be joined to")
+    connections = tuple(made.connections)
+    return Scene(entities=vacated(made.entities, (c.links for c in connections)), connections=connections)
+
+
+@dataclass
+class _Scene:
+    """A scene in the making."""
+
+    entities: list[Named]
+    connections: list[Connection] = field(default_factory=list[Connection])
+
+    def close(self, link: Link, option: Option, rng: np.random.Generator) -> None:
+        """Add the other entities of an option, and the connection."""
+        before = [self._add(*partner, rng) for partner in option.before]
+        behind = [self._add(*partner, rng) for partner in option.behind]
+        given = {"links": (*before, link, *behind)}
+        self.connections.append(draw(option.kind, rng, choices(option.kind, rng), given=given))
+
+    def _add(self, cls: type[Entity], port: str, rng: np.random.Generator) -> Link:
+        name = f"other{len(self.entities)}"
+        self.entities.append(Named(name=name, entity=draw(cls, rng, choices(cls, rng))))
+        return Link(entity=name, port=port)
+
+
+def closers(cls: type[Entity], name: str, *, widely: bool = False) -> tuple[Option, ...]:
+    """Return the connections, with their partner entities, that can be made to an entity's port.
+
+    Preferred are partners that have bodies if the entity has none (a hand needs a block to pull), and partners without
+    bodies if it has some; others are returned only if there are none of these, or with `widely`.
+    """
+    port = outer_ports(cls)[name]
+    found = list(_passed(port) if isinstance(port, Pass) else _ended(port))
+    wanted = not _has_bodies(cls)
+    best = [option for option in found if all(_has_bodies(partner) == wanted for partner in option.partners)]
+    return tuple(found if widely else best or found)
+
+
+def _ended(port: Port) -> Iterator[Option]:
+    """Yield the connections that end at a port: to a partner, or from it where only that fits."""
+    for kind in CONNECTIONS.values():
+        for partner, other in _ends():
+            if kind.admits(port, 0, 1) and kind.admits(outer_ports(partner)[other], 1, 1):
+                yield Option(kind, (), ((partner, other),))
+            elif kind.admits(outer_ports(partner)[other], 0, 1) and kind.admits(port, 1, 1):
+                yield Option(kind, ((partner, other),), ())
+
+
+def _passed(port: Port) -> Iterator[Option]:
+    """Yield the connections that run through a port, such as a string over a pulley, with a partner at each end."""
+    for kind in CONNECTIONS.values():
+        if kind.admits(port, 1, 2):
+            first = [end for end in _ends() if kind.admits(outer_ports(end[0])[end[1]], 0, 2)]
+            last = [end for end in _ends() if kind.admits(outer_ports(end[0])[end[1]], 2, 2)]
+            yield from (Option(kind, (one,), (other,)) for one in first for other in last)
+
+
+def _ends() -> Iterator[tuple[type[Entity], str]]:
+    """Yield the ports at which a connection can end, of entities that need no other connection."""
+    for cls in ENTITIES.values():
+        ports = outer_ports(cls)
+        for name, port in ports.items():
+            needed = {other for other, held in ports.items() if held.required}
+            if not isinstance(port, Pass) and needed <= {name}:
+                yield cls, name
+
+
+def _has_bodies(cls: type[Entity]) -> bool:
+    return any(issubclass(model, Body) for model in reachable(cls))

@@ -1,0 +1,358 @@
+"""Parts and entities: mechanisms made of bodies, with lines that tell them and ports that join them."""
+
+from collections.abc import Mapping
+from functools import cache
+from typing import Annotated, Any, ClassVar, Self, TypeVar, cast
+
+from pydantic import ConfigDict, Field, SerializeAsAny, model_validator
+
+from sim2reason.base.lazy import cached_property
+from sim2reason.base.registry import Registry
+from sim2reason.scenes.dsl.body import Body
+from sim2reason.scenes.dsl.builder import Builder, Frame
+from sim2reason.scenes.dsl.connection import Inside
+from sim2reason.scenes.dsl.model import Model, field_types
+from sim2reason.scenes.dsl.ports import Attachment, Base, Chain, Mount, Pass, Port, SitePort, Stop, StringEnd
+from sim2reason.scenes.dsl.template import Each, PartLines, Saying, Slot, Word, Wordings, paths, slots, variants
+from sim2reason.scenes.dsl.units import SI, UnitSystem
+
+PORT_TYPES = (Port, Inside)
+
+
+class Part(Model):
+    """The base of parts that several entities share: bodies with their own lines and ports.
+
+    The fields of a subclass declare its bodies and numbers. A class with a number that no line states cannot be
+    defined: a TypeError names the number.
+
+    Attributes:
+        says: Lines that describe the part, as templates.
+        words: Words that depend on the value of a field, by name.
+        called: Name of the whole in sentences, as in *the electric field*; empty if no sentence mentions it.
+        untold: Numbers that bodies may have but no line states.
+
+    Examples:
+        >>> from sim2reason.authoring import X, Z, Frame, Part, either
+        >>> from sim2reason.scenes.bodies.sliders import Block
+        >>> class Sliding(Part):
+        ...     block: Block
+        ...     says = (either("{block} lies on a smooth floor."),)
+        ...     def build(self, room: Frame) -> None:
+        ...         room.body("block", self.block.mass).rest(X, Z)
+        >>> Sliding(block=Block(mass=2.0))
+        Sliding(block=Block(mass=2.0))
+    """
+
+    model_config = ConfigDict(ignored_types=PORT_TYPES)
+    says: ClassVar[tuple[Saying, ...]] = ()
+    words: ClassVar[dict[str, Word]] = {}
+    called: ClassVar[str] = (
+        ""  # what a sentence about all of it calls it, *the electric field*; empty if none speaks of it
+    )
+    untold: ClassVar[frozenset[str]] = frozenset()  # numbers that bodies may have and that its lines do not tell
+
+    @classmethod
+    def __pydantic_init_subclass__(cls, **_: Any) -> None:
+        """Check that the lines state every number and name no unknown one; TypeError otherwise."""
+        if any(name == "says" or isinstance(member, PORT_TYPES) for name, member in vars(cls).items()):
+            cls.untold = check_lines(cls)
+
+    @model_validator(mode="after")
+    def _tells_all(self) -> Self:
+        for path in self.untold:
+            name, _, field = path.rpartition(".")
+            held = getattr(self, name) if name else self
+            for member in held if isinstance(held, tuple) else (held,):  # type: ignore[reportUnknownVariableType]
+                if getattr(member, field, None) is not None:  # type: ignore[reportUnknownArgumentType]
+                    raise ValueError(f"{path}: no line of {type(self).__name__} tells it; leave it out")
+        return self
+
+    @classmethod
+    def told_by_word(cls, parameter: str, value: object) -> bool:
+        """Return whether a word in the lines states a number specially, so that no other line needs to."""
+        words = {name: word for name, word in cls.words.items() if word.parameter == parameter}
+        lines = [line for saying in cls.says if not isinstance(saying, PartLines) for line in variants(saying)]
+        used = {name for name in words for line in lines if all(f"{{{name}}}" in template for template in line)}
+        return any(value in words[name].special for name in used)
+
+    def build(self, room: Frame) -> None:
+        """Build the bodies and their possible motions by the methods of the frame.
+
+        Args:
+            room: Frame of the room, or of the body that carries the part.
+        """
+        raise NotImplementedError
+
+
+class Entity(Part):
+    """The base of entities: mechanisms that a scene file can name.
+
+    The fields of a subclass declare its bodies and numbers, `says` the lines of its text, ports the places where
+    connections join, and `build` its mechanics. Register the class with `entity`, so that files and texts find it.
+
+    Attributes:
+        units: System of units of the text; by default the SI.
+        schematic: Whether a drawing may choose the lengths of strings and faces; by default it is to scale.
+        clocked: Whether the text says what happens at t = 0, so that a start from rest is no release.
+        tells_taut: Whether the lines say that strings are taut at the start.
+        slackens: Whether a string within the entity may go slack and become taut again.
+
+    Examples:
+        >>> import sim2reason
+        >>> from sim2reason.authoring import X, Z, Entity, Frame, either
+        >>> from sim2reason.scenes.bodies.sliders import Block
+        >>> class BlockOnFloor(Entity):
+        ...     block: Block
+        ...     says = (either("{block} lies on a smooth floor."),)
+        ...     def build(self, room: Frame) -> None:
+        ...         room.body("block", self.block.mass).rest(X, Z, speed=3.0)
+        >>> scene = sim2reason.Scene(entities=({"name": "floor", "entity": BlockOnFloor(block=Block(mass=2.0))},))
+        >>> float(sim2reason.simulate(scene, duration=2.0).state.q[-1, 0])
+        6.0
+    """
+
+    units: ClassVar[UnitSystem] = SI  # in which its text speaks
+    schematic: ClassVar[bool] = False  # drawn with strings and faces as long as looks best, else to scale
+
+    def horizon(self, gravity: float) -> float | None:
+        """Return the duration for which to follow the motion, such as a period; None for the default.
+
+        Args:
+            gravity: Acceleration due to gravity of the scene, m/s².
+
+        Returns:
+            The duration in the units of the text, or None.
+        """
+        del gravity
+        return None
+
+    @property
+    def clocked(self) -> bool:
+        """Return whether the text says what happens at t = 0, so that a start from rest is no release."""
+        return False
+
+    @property
+    def tells_taut(self) -> bool:
+        """Return whether the lines say that strings are taut at the start."""
+        return False
+
+    @property
+    def slackens(self) -> bool:
+        """Return whether a string within the entity may go slack and become taut again."""
+        return False
+
+
+NAME = r"^[a-z][a-z0-9_]{0,39}$"
+Name = Annotated[str, Field(pattern=NAME)]
+
+
+class Named(Model):
+    """An entity and its name in a scene."""
+
+    name: Name
+    entity: SerializeAsAny[Entity]
+
+    @cached_property
+    def alone(self) -> Builder:
+        """Return a builder with this entity alone, which scenes that differ in other entities share."""
+        builder = Builder()
+        self.entity.build(builder.room(self.name))
+        return builder
+
+
+E = TypeVar("E", bound=Entity)
+ENTITIES: Registry[type[Entity]] = Registry("entities", package="sim2reason.scenes.entities")
+
+
+def entity(cls: type[E]) -> type[E]:
+    """Register an entity class under its name.
+
+    Args:
+        cls: The class.
+
+    Returns:
+        The same class.
+
+    Raises:
+        ValueError: Another class has the name.
+
+    Examples:
+        >>> import sim2reason
+        >>> from sim2reason.authoring import X, Z, Entity, Frame, either, entity
+        >>> from sim2reason.scenes.bodies.sliders import Block
+        >>> @entity
+        ... class BlockOnFloor(Entity):
+        ...     block: Block
+        ...     says = (either("{block} lies on a smooth floor."),)
+        ...     def build(self, room: Frame) -> None:
+        ...         room.body("block", self.block.mass).rest(X, Z)
+        >>> "BlockOnFloor" in [member.name for member in sim2reason.list("entities")["entities"]]
+        True
+    """
+    return ENTITIES.add(cls.__name__, cls)
+
+
+@cache
+def ports_of(cls: type[Part]) -> Mapping[str, Port]:
+    """Return the ports that a class declares, by name, in the order of declaration."""
+    members = {name: member for base in reversed(cls.__mro__) for name, member in vars(base).items()}
+    return {name: member for name, member in members.items() if isinstance(member, Port)}
+
+
+@cache
+def inside(cls: type[Part]) -> Mapping[str, Inside]:
+    """Return the connections inside an entity, by name."""
+    return {name: member for name, member in vars(cls).items() if isinstance(member, Inside)}
+
+
+@cache
+def outer_ports(cls: type[Part]) -> Mapping[str, Port]:
+    """Return the ports that a connection can use: those that nothing inside and no chain of the class uses up."""
+    declared = ports_of(cls)
+    used = {stop for inner in inside(cls).values() for stop in inner.stops}
+    used |= {stop for port in declared.values() if isinstance(port, Chain) for stop in port.stops}
+    return {name: port for name, port in declared.items() if name not in used}
+
+
+def stops_of(part: Part, name: str, address: str, *, flipped: bool = False) -> list[Stop]:
+    """Return a port of an instance as the stops that a string makes there, from the inside out."""
+    head, _, rest = name.partition(".")
+    if rest:
+        return stops_of(getattr(part, head), rest, f"{address}.{head}", flipped=flipped)
+    port = ports_of(type(part))[name]
+    if isinstance(port, Chain):
+        return [stop for inner in port.stops for stop in stops_of(part, inner, address)]
+    assert isinstance(port, SitePort)
+    return [Stop(address, port, flipped)]
+
+
+def check_lines(cls: type[Part]) -> frozenset[str]:
+    """Compare the numbers that a class declares with those that its lines state; TypeError names the difference.
+
+    Return the numbers that may remain unstated because a body usually does without them.
+    """
+    required = {name for name, port in ports_of(cls).items() if port.required}
+    chained = {inner for name in required for inner in getattr(ports_of(cls)[name], "stops", ())}
+    roped = {stop for inner in inside(cls).values() for stop in inner.stops}
+    told: set[str] = set()
+    for saying in cls.says:
+        if isinstance(saying, Each | PartLines) and saying.field not in cls.model_fields:
+            raise TypeError(f"{cls.__name__}: a line for each {saying.field!r}, which is not declared")
+        told |= _told(cls, saying)
+    for name, port in ports_of(cls).items():
+        heard = _clauses(cls, port)
+        if name in required | chained | roped:
+            told |= heard
+    unsaid = {path for path in declared_numbers(cls) if path not in told}
+    spared = frozenset(path for path in unsaid if _is_spared(cls, path))
+    unsaid -= spared
+    if unsaid:
+        raise TypeError(f"{cls.__name__}: no line tells {', '.join(sorted(unsaid))}")
+    return spared
+
+
+def _is_spared(cls: type[Part], path: str) -> bool:
+    """Return whether a number may remain unstated because its body usually does without it."""
+    name, _, field = path.partition(".")
+    models = field_types(cls)[name].models if field else ()
+    return any(field in field_types(model) and field_types(model)[field].usual is False for model in models)
+
+
+def _told(cls: type[Part], saying: Saying) -> set[str]:
+    """Return the numbers that a line states; TypeError if its wordings with the given optional number state fewer."""
+    *without, found = (_common(cls, templates) for templates in variants(saying))
+    if isinstance(saying, Wordings) and saying.given and saying.given not in found:
+        raise TypeError(f"{cls.__name__}: a line is said so where {saying.given} is given, and does not tell it")
+    for told in without:
+        lost = (told - found) & declared_numbers(cls)
+        if lost:
+            raise TypeError(f"{cls.__name__}: no line tells {', '.join(sorted(lost))} where another number is given")
+    return found
+
+
+def parts_at(part: Part, field: str) -> dict[str, Part]:
+    """Return the parts that a field holds, one or several, each by its path from the part that holds them."""
+    held: Any = getattr(part, field)
+    several = isinstance(held, tuple)
+    members = cast("tuple[Any, ...]", held) if several else (held,)
+    found = {f"{field}.{index}" if several else field: member for index, member in enumerate(members)}
+    return {path: member for path, member in found.items() if isinstance(member, Part)}
+
+
+def _clauses(cls: type[Part], port: Port) -> set[str]:
+    """Return what all clauses of a port tell, whichever of them is used."""
+    if isinstance(port, Pass):
+        return _common(cls, (port.passes,))
+    if isinstance(port, StringEnd):
+        return _common(cls, (port.arrives, *((port.tied + port.leaves,) if port.can_begin else ())))
+    phrase = phrase_of(port)
+    return _common(cls, (phrase,)) if phrase else set()
+
+
+def phrase_of(port: Port) -> str:
+    """Return what a connection that ends at a port calls it; empty where it has no words."""
+    if isinstance(port, Attachment):
+        return port.tied
+    return port.place if isinstance(port, Mount) else port.held if isinstance(port, Base) else ""
+
+
+def _common(cls: type[Part], templates: tuple[str, ...]) -> set[str]:
+    told = [set[str]().union(*(tells(cls, slot) for slot in slots(template))) for template in templates]
+    return set[str].intersection(*told) if told else set()
+
+
+def declared_numbers(cls: type[Part]) -> set[str]:
+    """Return the numbers and bodies' numbers that the lines of a class itself have to tell; parts tell their own."""
+    found: set[str] = set()
+    for name, kind in field_types(cls).items():
+        if (kind.measure is not None or kind.words) and not kind.hidden:
+            found.add(name)
+        for model in kind.models:
+            if issubclass(model, Part):
+                continue
+            inner = field_types(model).items()
+            found |= {f"{name}.{field}" for field, held in inner if held.measure is not None and not held.hidden}
+    return found
+
+
+def tells(cls: type[Part], slot: Slot) -> set[str]:
+    """Return the declared numbers that a slot tells; TypeError for a path that leads nowhere."""
+    if slot.kind in ("text", "agree", "some", "count", "plural"):
+        if slot.path and slot.path.split(".")[0] not in cls.model_fields:
+            raise TypeError(f"{cls.__name__}: {slot.path!r} is not declared")
+        return set()
+    if slot.kind == "member":
+        return {".".join(step for step in slot.path.split(".") if step != "*")}
+    head, *rest = [step for step in slot.path.split(".") if step not in ("first", "last", "*")]
+    if head in cls.words and not rest:
+        return {cls.words[head].parameter} | _word_paths(cls.words[head]) | _common(cls, _texts(cls.words[head]))
+    kind = field_types(cls).get(head)
+    if kind is None:
+        raise TypeError(f"{cls.__name__}: a line names {slot.path!r}, which is not declared")
+    if (kind.measure is not None or kind.words) and not rest:
+        return {head}
+    told: set[str] = set()
+    for model in kind.models:
+        told |= _told_by_body(cls, head, model, rest, whole="first" not in slot.path and "last" not in slot.path)
+    return told
+
+
+def _texts(word: Word) -> tuple[str, ...]:
+    """Return all that a word can say."""
+    return (*word.special.values(), *((word.otherwise,) if word.otherwise else ()))
+
+
+def _word_paths(word: Word) -> set[str]:
+    return {path for text in _texts(word) for path in paths(text)}
+
+
+def _told_by_body(cls: type[Part], head: str, model: type[Model], rest: list[str], *, whole: bool) -> set[str]:
+    if issubclass(model, Body) and not rest:
+        return {f"{head}.{name}" for name in model.says_in(model.lone[0])} if whole and model.lone else set()
+    if issubclass(model, Part):
+        return set()
+    if rest[0] in field_types(model):
+        return {f"{head}.{rest[0]}"}
+    if issubclass(model, Body) and rest[0] in model.words:
+        return {f"{head}.{name}" for name in model.says_in(f"{{{rest[0]}}}")}
+    raise TypeError(f"{cls.__name__}: a line names {head}.{rest[0]}, which {model.__name__} does not have")

@@ -1,0 +1,299 @@
+"""Where the parts of a mechanism are and how they move, for any kind of number.
+
+The tree of bodies is walked once, with floats for the geometry at the start, with arrays for all instants of a motion,
+with symbols for equations of motion. Only + − × and the caller's sine and cosine are used. A *point* knows its place,
+its velocity, its acceleration at q̈ = 0 (so that no gradient is ever differentiated), how it moves with each
+coordinate, and how it would move if a body rose from the face that it lies on.
+"""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from types import MappingProxyType
+
+from sim2reason.scenes.dsl.mechanism import ZERO, Coordinate, Line, Mechanism, RigidBody
+from sim2reason.scenes.dsl.vectors import (
+    Distance,
+    Gradient,
+    Maths,
+    Number,
+    Point,
+    Triple,
+    Vector,
+    cross,
+    distance,
+    minus,
+    plus,
+    product,
+    times,
+)
+
+Rotation = tuple[Triple, Triple, Triple]  # rows
+
+
+@dataclass(slots=True)
+class Turning:
+    """How a body turns: all in room axes."""
+
+    velocity: Triple  # rad/s
+    bias: Triple  # its angular acceleration at q̈ = 0
+    gradient: Gradient
+
+
+@dataclass(slots=True)
+class Step:
+    """One coordinate on the way from the room to a body, at its present direction."""
+
+    number: int
+    axis: Triple
+    pivot: Triple | None  # a point of the axis of a hinge; None of a slide
+
+
+@dataclass(slots=True)
+class BodyFrame:
+    """The frame of a body at one instant, or at all."""
+
+    origin: Triple
+    rotation: Rotation | None  # None: the axes of the room
+    velocity: Triple
+    bias: Triple
+    spin: Triple | None  # angular velocity; None: it never turns
+    spin_bias: Triple
+    steps: tuple[Step, ...]
+    lift: Gradient
+
+    def turned(self, vector: Triple) -> Triple:
+        """Return a vector of this frame in room axes."""
+        if self.rotation is None:
+            return vector
+        return (product(self.rotation[0], vector), product(self.rotation[1], vector), product(self.rotation[2], vector))
+
+    def unturned(self, vector: Triple) -> Triple:
+        """Return a vector in room axes in those of this frame."""
+        if self.rotation is None:
+            return vector
+        a, b, c = self.rotation
+        columns = ((a[0], b[0], c[0]), (a[1], b[1], c[1]), (a[2], b[2], c[2]))
+        return (product(columns[0], vector), product(columns[1], vector), product(columns[2], vector))
+
+    def point(self, at: Triple = ZERO) -> Point:
+        """Return a point fixed in this frame."""
+        arm = self.turned(at)
+        place = plus(self.origin, arm)
+        if self.spin is None:
+            return Point(place, self.velocity, self.bias, {step.number: step.axis for step in self.steps}, self.lift)
+        gradient = {
+            step.number: step.axis if step.pivot is None else cross(step.axis, minus(place, step.pivot))
+            for step in self.steps
+        }
+        velocity, bias = self.carried(arm)
+        return Point(place, velocity, bias, gradient, self.lift)
+
+    def carried(self, arm: Triple) -> tuple[Triple, Triple]:
+        """Velocity and bias of what lies at `arm`, in room axes, from the origin."""
+        if self.spin is None or self.spin is ZERO:
+            return self.velocity, self.bias
+        swing = cross(self.spin, arm)
+        return plus(self.velocity, swing), plus(self.bias, plus(cross(self.spin_bias, arm), cross(self.spin, swing)))
+
+    @property
+    def hinges(self) -> tuple[Step, ...]:
+        """The hinges on the way from the room."""
+        return tuple(step for step in self.steps if step.pivot is not None)
+
+    @property
+    def turning(self) -> Turning:
+        """Return how the frame turns."""
+        gradient = {step.number: step.axis for step in self.steps if step.pivot is not None}
+        return Turning(self.spin or ZERO, self.spin_bias, gradient)
+
+
+NONE_STEADY: Mapping[tuple[str, str], Triple] = MappingProxyType({})
+ROOM = BodyFrame(ZERO, None, ZERO, ZERO, None, ZERO, (), MappingProxyType({}))
+
+
+class Frames:
+    """The frames of all bodies of a mechanism for given coordinates and their rates."""
+
+    def __init__(
+        self,
+        mechanism: Mechanism,
+        q: Sequence[Number],
+        v: Sequence[Number],
+        maths: Maths,
+        *,
+        still: bool = False,
+        steady: Mapping[tuple[str, str], Triple] = NONE_STEADY,
+    ) -> None:
+        """`q` and `v` hold a number for each coordinate, in the mechanism's order; `still` says that all are zero.
+
+        `steady` has the directions from one site to another that are known never to turn.
+        """
+        self._mechanism, self._q, self._v, self._maths = mechanism, q, v, maths
+        self._still, self._steady = still, steady
+        self._frames: dict[str | None, BodyFrame] = {None: ROOM}
+        self._centers: dict[str, Point] = {}
+        self._sites: dict[str, Point] = {}
+        self._distances: dict[tuple[str, str], Distance] = {}
+        self._pieces: dict[str, tuple[Distance, ...]] = {}
+
+    def __getitem__(self, body: str | None) -> BodyFrame:
+        """Return the frame of a body; that of the room for None. It is worked out when it is asked for."""
+        found = self._frames.get(body)
+        if found is None:
+            assert body is not None
+            held = self._mechanism.body[body]
+            found = self._frames[body] = self._at_rest(held) if self._still else self._of(held)
+        return found
+
+    def center(self, body: str) -> Point:
+        """Return the centre of mass of a body."""
+        found = self._centers.get(body)
+        if found is None:
+            found = self._centers[body] = self[body].point(self._mechanism.body[body].center)
+        return found
+
+    def site(self, name: str) -> Point:
+        """Return a site."""
+        found = self._sites.get(name)
+        if found is None:
+            site = self._mechanism.site[name]
+            found = self._sites[name] = self[site.body].point(site.at)
+        return found
+
+    def distance(self, first: str, last: str) -> Distance:
+        """From one site to another; ZeroDivisionError where they coincide and can part."""
+        found = self._distances.get((first, last))
+        if found is None:
+            steady = self._steady.get((first, last))
+            found = self._distances[first, last] = distance(self.site(first), self.site(last), self._maths, steady)
+        return found
+
+    def pieces(self, line: Line) -> tuple[Distance, ...]:
+        """Return the straight pieces of a line, from end to end; ZeroDivisionError as `distance` has."""
+        found = self._pieces.get(line.name)
+        if found is None:
+            found = tuple([self.distance(first, last) for first, last in pairwise(line.through)])
+            self._pieces[line.name] = found
+        return found
+
+    def length(self, line: Line) -> Number:
+        """Return the sum of the distances between the sites of a line, m."""
+        total: Number = 0.0
+        for first, last in pairwise(line.through):
+            apart = minus(self.site(last).place, self.site(first).place)
+            total = total + self._maths.sqrt(product(apart, apart))
+        return total
+
+    def normal(self, subject: str) -> Triple:
+        """Return the direction out of the face on which a body lies, in room axes."""
+        face = self._mechanism.contacts[subject]
+        carrier = subject if face.turning else self._mechanism.body[subject].parent
+        return self[carrier].turned(face.normal)
+
+    def _at_rest(self, body: RigidBody) -> BodyFrame:
+        """Return the frame of a body where nothing has moved yet, so that it has the axes of the room."""
+        carrier = self[body.parent]
+        origin = carrier.origin if body.at is ZERO else plus(carrier.origin, body.at)
+        steps, spin, lift = carrier.steps, carrier.spin, carrier.lift
+        for coordinate in body.coordinates:
+            number = self._mechanism.number[coordinate.name]
+            if coordinate.kind == "slide":
+                steps = (*steps, Step(number, coordinate.axis, None))
+            else:
+                steps, spin = (*steps, Step(number, coordinate.axis, origin)), ZERO
+        face = self._mechanism.contacts.get(body.name)
+        if face is not None:
+            lift = {**lift, self._mechanism.face_number[body.name]: face.normal}
+        return BodyFrame(origin, None, ZERO, ZERO, spin, ZERO, steps, lift)
+
+    def _of(self, body: RigidBody) -> BodyFrame:
+        frame = self[body.parent]
+        if body.at != ZERO:
+            frame = _shifted(frame, frame.turned(body.at))
+        for coordinate in body.coordinates:
+            number = self._mechanism.number[coordinate.name]
+            if coordinate.kind == "slide":
+                frame = self._slid(frame, coordinate, number)
+            else:
+                frame = self._hinged(frame, coordinate, number)
+        face = self._mechanism.contacts.get(body.name)
+        if face is None:
+            return frame
+        carrier = frame if face.turning else self[body.parent]
+        lift = {**frame.lift, self._mechanism.face_number[body.name]: carrier.turned(face.normal)}
+        return BodyFrame(
+            frame.origin,
+            frame.rotation,
+            frame.velocity,
+            frame.bias,
+            frame.spin,
+            frame.spin_bias,
+            frame.steps,
+            lift,
+        )
+
+    def _slid(self, frame: BodyFrame, coordinate: Coordinate, number: int) -> BodyFrame:
+        axis = frame.turned(coordinate.axis)
+        frame = _shifted(frame, _along(axis, self._q[number]))
+        velocity = plus(frame.velocity, _along(axis, self._v[number]))
+        bias = frame.bias
+        if frame.spin is not None:
+            bias = plus(bias, times(2.0 * self._v[number], cross(frame.spin, axis)))
+        steps = (*frame.steps, Step(number, axis, None))
+        return BodyFrame(frame.origin, frame.rotation, velocity, bias, frame.spin, frame.spin_bias, steps, frame.lift)
+
+    def _hinged(self, frame: BodyFrame, coordinate: Coordinate, number: int) -> BodyFrame:
+        axis = frame.turned(coordinate.axis)
+        whirl = times(self._v[number], axis)
+        if frame.spin is None:
+            spin, spin_bias = whirl, frame.spin_bias
+        else:
+            spin, spin_bias = plus(frame.spin, whirl), plus(frame.spin_bias, cross(frame.spin, whirl))
+        rotation = rotated(frame.rotation, coordinate.axis, self._q[number], self._maths)
+        steps = (*frame.steps, Step(number, axis, frame.origin))
+        return BodyFrame(frame.origin, rotation, frame.velocity, frame.bias, spin, spin_bias, steps, frame.lift)
+
+
+def _along(axis: Triple, size: Number) -> Triple:
+    """Return a number times an axis; what is zero along it stays a plain number, where others are arrays."""
+    x, y, z = axis
+    if type(x) is float and type(y) is float and type(z) is float:
+        return (size * x if x else 0.0, size * y if y else 0.0, size * z if z else 0.0)
+    return times(size, axis)
+
+
+def _shifted(frame: BodyFrame, arm: Triple) -> BodyFrame:
+    """Return the frame with its origin at `arm`, in room axes, from the present one."""
+    velocity, bias = frame.carried(arm)
+    origin = plus(frame.origin, arm)
+    return BodyFrame(origin, frame.rotation, velocity, bias, frame.spin, frame.spin_bias, frame.steps, frame.lift)
+
+
+def rotated(rotation: Rotation | None, axis: Vector, angle: Number, maths: Maths) -> Rotation:
+    """Return a rotation after which a turn about `axis`, a unit vector of the rotated frame, follows (Rodrigues)."""
+    c, s = maths.cos(angle), maths.sin(angle)
+    x, y, z = axis
+
+    def entry(i: int, j: int, skew: float) -> Number:
+        both, same = axis[i] * axis[j], 1.0 if i == j else 0.0
+        found: Number = both if same - both == 0.0 else (same - both) * c + both
+        return found + skew * s if skew else found
+
+    turn = (
+        (entry(0, 0, 0.0), entry(0, 1, -z), entry(0, 2, y)),
+        (entry(1, 0, z), entry(1, 1, 0.0), entry(1, 2, -x)),
+        (entry(2, 0, -y), entry(2, 1, x), entry(2, 2, 0.0)),
+    )
+    if rotation is None:
+        return turn
+    columns = tuple((turn[0][j], turn[1][j], turn[2][j]) for j in range(3))
+    rows = [(product(row, columns[0]), product(row, columns[1]), product(row, columns[2])) for row in rotation]
+    return (rows[0], rows[1], rows[2])
+
+
+def start(mechanism: Mechanism) -> Frames:
+    """Return the geometry at the start of the motion, as if nothing moved."""
+    rest = [0.0] * len(mechanism.coordinates)
+    return Frames(mechanism, rest, rest, math, still=True)

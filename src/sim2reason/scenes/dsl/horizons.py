@@ -1,0 +1,37 @@
+"""The duration for which a motion is followed by default."""
+
+from collections.abc import Iterable
+from math import inf, pi, sqrt
+
+from sim2reason.scenes.dsl.entity import Entity
+from sim2reason.scenes.dsl.mechanism import GRAVITY, Elastic, Mechanism
+
+HORIZON = 2.0  # s, on Earth
+MANY, FEW = 100, 40  # oscillations of the stiffest spring that engines can't follow at first, and that they can
+
+
+def horizon(entities: Iterable[Entity], gravity: float) -> float:
+    """Return the longest duration that any entity asks for under `gravity`, m/s², in the units of their text.
+
+    If no entity asks for any, it is the time of a fall from the height from which a body falls for 2 s on Earth.
+    """
+    wanted = (entity.horizon(gravity) for entity in entities)
+    usual = HORIZON * sqrt(GRAVITY / gravity) if gravity else HORIZON
+    return max((duration for duration in wanted if duration is not None), default=usual)
+
+
+def within_oscillations(duration: float, mechanism: Mechanism) -> float:
+    """Return `duration`, s, or some periods of the stiffest spring if it has more than engines easily follow."""
+    period = stiffest_period(mechanism)
+    return duration if duration <= MANY * period else FEW * period
+
+
+def stiffest_period(mechanism: Mechanism) -> float:
+    """Return the shortest period of a body on a spring whose other end is held, s; infinite without springs."""
+    shortest = inf
+    for line in mechanism.lines:
+        if isinstance(line.law, Elastic) and line.law.acts == "both":
+            ends = line.circle or tuple(mechanism.site[site].body for site in (line.through[0], line.through[-1]))
+            masses = [mechanism.body[body].mass for body in ends if body is not None]
+            shortest = min([shortest, *(2.0 * pi * sqrt(mass / line.law.stiffness) for mass in masses if mass > 0.0)])
+    return shortest

@@ -1,0 +1,135 @@
+"""Where entities stand: each is placed so that the strings from its neighbours run straight."""
+
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+from math import hypot
+from typing import NamedTuple
+
+from sim2reason.errors import SceneError
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.connection import Connection
+from sim2reason.scenes.dsl.entity import Named
+from sim2reason.scenes.dsl.mechanism import ZERO
+from sim2reason.scenes.dsl.ports import Stop, StringEnd
+from sim2reason.scenes.dsl.vectors import Vector, add, scale
+
+GAP = 1.0  # m between entities that no straight string aligns; only for looks
+
+
+def opposite(one: Vector | None, other: Vector | None) -> bool:
+    """Return whether a straight string can leave two sites in these directions; None means any direction."""
+    return one is None or other is None or hypot(*add(one, other)) < 1e-9
+
+
+class Neighbours(NamedTuple):
+    """Two sites of different entities that a connection leads from one to the other, and how far apart they stand."""
+
+    one: str
+    other: str
+    spacing: float
+
+
+class Mounted(NamedTuple):
+    """An entity that another one carries: at which of its sites, and whether it can turn there."""
+
+    name: str
+    site: str
+    stiff: bool
+
+
+def placed(
+    entities: Sequence[Named],
+    paths: Sequence[tuple[Connection, Sequence[Stop]]],
+    builder: Builder,
+) -> Builder:
+    """The builder with all entities built in it, each where its connections want it, those that carry others first.
+
+    `paths` are the connections, each with its stops in the order of travel.
+    """
+    pairs: list[Neighbours] = []
+    mounted: dict[str, Mounted] = {}
+    for connection, path in paths:
+        if connection.carries:
+            mounted[path[1].owner] = Mounted(path[1].owner, path[0].sites[0], connection.stiff)
+        else:
+            pairs += _pairs(path, connection.spacing)
+    free = [named for named in entities if named.name not in mounted]
+    offsets, alone, right = dict[str, Vector](), {named.name: named.alone for named in free}, 0.0
+    for named in free:
+        low, high = named.alone.extent
+        offsets[named.name] = (right - low, 0.0, 0.0)
+        right += high - low + GAP
+    for _, path in paths:
+        _check_sites(path, alone)
+    _align([pair for pair in pairs if {_owner(pair.one), _owner(pair.other)} <= offsets.keys()], offsets, alone)
+    for named in free:
+        named.entity.build(builder.room(named.name, offsets[named.name]))
+    _mount({named.name: named for named in entities}, mounted, builder)
+    return builder
+
+
+def _check_sites(path: Sequence[Stop], alone: Mapping[str, Builder]) -> None:
+    """Refuse a stop at an optional part that its entity does not have; SceneError."""
+    for stop in path:
+        known = alone.get(_owner(stop.owner))
+        if known is not None and any(site not in known.faces for site in stop.sites):
+            remedy = "leave the connection out, or give the part that it leads to"
+            raise SceneError(stop.owner, f"there is nothing at its port {stop.port.name!r}", remedy)
+
+
+def _mount(entities: Mapping[str, Named], mounted: Mapping[str, Mounted], builder: Builder) -> None:
+    """Build what is carried, once what carries it is there."""
+    waiting = list(mounted.values())
+    while waiting:
+        ready = [each for each in waiting if _owner(each.site) not in {other.name for other in waiting}]
+        if not ready:
+            raise SceneError("connections", "entities carry each other in a ring", "let one of them stand alone")
+        for each in ready:
+            entities[each.name].entity.build(builder.mount(each.name, each.site, stiff=each.stiff))
+        waiting = [each for each in waiting if each not in ready]
+
+
+def _owner(site: str) -> str:
+    return site.split(".", maxsplit=1)[0]
+
+
+def _pairs(stops: Sequence[Stop], spacing: float) -> list[Neighbours]:
+    """Neighbouring sites of different entities along a path: where it leaves one and reaches the next."""
+    found: list[Neighbours] = []
+    for one, other in pairwise(stops):
+        leaves, reaches = one.sites[-1], _first(other)
+        if _owner(leaves) != _owner(reaches):
+            found.append(Neighbours(leaves, reaches, spacing))
+    return found
+
+
+def _first(stop: Stop) -> str:
+    """Return the site that a connection reaches first: an end is listed from the inside out, so its last."""
+    return stop.sites[-1] if isinstance(stop.port, StringEnd) else stop.sites[0]
+
+
+def _align(pairs: list[Neighbours], offsets: dict[str, Vector], alone: Mapping[str, Builder]) -> None:
+    """Shift entities, outwards from the first, so that what faces each other does so on one line."""
+    done: set[str] = set()
+    both = [*pairs, *(Neighbours(pair.other, pair.one, pair.spacing) for pair in pairs)]
+    for first in alone:  # each tree of the forest from its first entity on
+        queue = [first]
+        while queue:
+            here = queue.pop()
+            if here in done:
+                continue
+            done.add(here)
+            for pair in both:
+                if _owner(pair.one) == here and _owner(pair.other) not in done:
+                    _shift(pair, alone, offsets)
+                    queue.append(_owner(pair.other))
+
+
+def _shift(pair: Neighbours, alone: Mapping[str, Builder], offsets: dict[str, Vector]) -> None:
+    near, far = _owner(pair.one), _owner(pair.other)
+    here, there = alone[near].faces[pair.one], alone[far].faces[pair.other]
+    if (here is None and there is None) or not opposite(here, there):
+        return
+    towards = here if here is not None else scale(-1.0, there or ZERO)
+    wanted = add(alone[near].position(pair.one), offsets[near], scale(pair.spacing, towards))
+    offsets[far] = add(wanted, scale(-1.0, alone[far].position(pair.other)))

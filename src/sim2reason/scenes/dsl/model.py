@@ -1,0 +1,286 @@
+"""Frozen values with declared parameters and bounds: how they are walked, changed and drawn at random."""
+
+import types
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import cache
+from math import inf, nextafter
+from typing import Annotated, Any, Literal, Self, TypeGuard, TypeVar, Union, cast, get_args, get_origin
+
+import numpy as np
+from annotated_types import Ge, Gt, Le, Lt
+from pydantic import BaseModel, ConfigDict, ValidationError, model_validator
+
+from sim2reason.base.record import record
+from sim2reason.errors import SceneError
+from sim2reason.scenes.dsl.measures import Above, Chance, Count, Hidden, Measure, Member, Range, Sized, Usually
+from sim2reason.scenes.dsl.relations import relations, unfitting
+
+
+def bounds(metadata: Iterable[object]) -> tuple[float, float]:
+    """Return the least and the greatest float that all of the bounds in an annotation's metadata allow."""
+    least, most = -inf, inf
+    for bound in metadata:
+        if isinstance(bound, Ge):
+            least = max(least, cast("float", bound.ge))
+        elif isinstance(bound, Gt):
+            least = max(least, nextafter(cast("float", bound.gt), inf))
+        elif isinstance(bound, Le):
+            most = min(most, cast("float", bound.le))
+        elif isinstance(bound, Lt):
+            most = min(most, nextafter(cast("float", bound.lt), -inf))
+    return float(least), float(most)
+
+
+class Model(BaseModel):
+    """The base of bodies, parts, entities and scenes: frozen, strict, without unknown fields or infinities."""
+
+    model_config = ConfigDict(
+        frozen=True,
+        extra="forbid",
+        strict=True,
+        allow_inf_nan=False,
+        validate_default=True,
+        revalidate_instances="never",
+    )
+
+    @classmethod
+    def variants(cls) -> "tuple[type[Model], ...]":
+        """What a field of this type may hold: this class; an open base says which classes are registered under it."""
+        return (cls,)
+
+    @classmethod
+    def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
+        """Values to take in place of some that were `drawn`, where no range of a single one says what fits together.
+
+        None by default. What a recipe has chosen stays as it is.
+        """
+        del drawn, rng
+        return {}
+
+    @model_validator(mode="after")
+    def _relations_hold(self) -> Self:
+        """Counts that follow from other fields do, and indices lead to members; ValueError says which does not."""
+        broken = unfitting(self, relations(type(self), field_types))
+        if broken:
+            raise ValueError(broken)
+        return self
+
+
+M = TypeVar("M", bound=Model)
+
+
+@record(slots=True)
+class Parameter:
+    """One declared number of a value: its address, what it is (None: absent), what it means, if it may be negative."""
+
+    path: str
+    value: float | None
+    measure: Measure
+    hidden: bool
+    signed: bool
+
+
+@record(slots=True)
+class FieldType:
+    """A field's annotation taken apart once: `models` are the classes that it may hold."""
+
+    measure: Measure | None
+    drawn: Range | None
+    count: Count | None
+    hidden: bool
+    optional: bool
+    models: tuple[type[Model], ...]
+    words: tuple[str, ...]  # of a Literal
+    member: str = ""  # the field whose members it counts, of an index
+    size: Callable[[Mapping[str, Any]], int] | None = None  # how many members it has, where other fields demand it
+    chance: float | None = None  # of something optional to be drawn
+    above: str = ""  # the field whose number is less, of a number that must be greater
+    usual: bool | None = None  # whether it is drawn, where no random number decides
+    least: float = -inf  # that is allowed
+    most: float = inf
+
+
+def _flatten(annotation: Any) -> Iterator[Any]:  # annotations are untyped by nature
+    """Yield the leaves and metadata of an annotation, looking into Annotated, unions and variable-length tuples."""
+    origin = get_origin(annotation)
+    if origin is Annotated:
+        first, *metadata = get_args(annotation)
+        yield from _flatten(first)
+        yield from metadata
+    elif origin in (Union, types.UnionType, tuple):
+        for argument in get_args(annotation):
+            if argument is not Ellipsis:
+                yield from _flatten(argument)
+    elif origin is Literal:
+        yield from get_args(annotation)
+    else:
+        yield annotation
+
+
+def _is_model(leaf: object) -> TypeGuard[type[Model]]:
+    return isinstance(leaf, type) and issubclass(leaf, Model)
+
+
+@cache
+def field_types(model: type[Model]) -> dict[str, FieldType]:
+    """Return the fields of a model class by name; a later `Range` of one field replaces an earlier one."""
+    found: dict[str, FieldType] = {}
+    for name, info in model.model_fields.items():
+        leaves = [*_flatten(info.annotation), *info.metadata]
+        least, most = bounds(leaves)
+        found[name] = FieldType(
+            measure=next((leaf for leaf in leaves if isinstance(leaf, Measure)), None),
+            drawn=next((leaf for leaf in reversed(leaves) if isinstance(leaf, Range)), None),
+            count=next((leaf for leaf in leaves if isinstance(leaf, Count)), None),
+            hidden=any(isinstance(leaf, Hidden) for leaf in leaves),
+            optional=any(leaf is type(None) for leaf in leaves),
+            models=tuple(kind for leaf in leaves if _is_model(leaf) for kind in leaf.variants()),
+            words=tuple(leaf for leaf in leaves if isinstance(leaf, str)),
+            member=next((leaf.field for leaf in leaves if isinstance(leaf, Member)), ""),
+            size=next((leaf.by for leaf in leaves if isinstance(leaf, Sized)), None),
+            chance=next((leaf.likelihood for leaf in leaves if isinstance(leaf, Chance)), None),
+            above=next((leaf.field for leaf in leaves if isinstance(leaf, Above)), ""),
+            usual=next((leaf.present for leaf in leaves if isinstance(leaf, Usually)), None),
+            least=least,
+            most=most,
+        )
+    return found
+
+
+def as_said(model: type[Model], name: str, value: float) -> float:
+    """Return a value rounded as the text will say that field of a class, so that what is said is what is simulated."""
+    measure = field_types(model)[name].measure
+    return measure.round(value) if measure is not None else value
+
+
+def parameters(value: Model, prefix: str = "") -> Iterator[Parameter]:
+    """Yield every declared number under a value, with its address, in the order of declaration."""
+    for name, kind in field_types(type(value)).items():
+        address, held = f"{prefix}.{name}" if prefix else name, getattr(value, name)
+        if kind.measure is not None:
+            yield Parameter(address, held, kind.measure.of(value), kind.hidden, kind.least < 0.0)
+        elif isinstance(held, Model):
+            yield from parameters(held, address)
+        elif isinstance(held, tuple):
+            for index, member in enumerate(held):  # type: ignore[reportUnknownArgumentType]
+                if isinstance(member, Model):
+                    yield from parameters(member, f"{address}.{index}")
+
+
+REDRAWS = 20
+Choice = Range | Count | tuple[str, ...] | float | int | bool | None
+Choices = Mapping[str, Choice]
+"""How a recipe narrows a draw, by field name or by the name of a measure: a `Range` or `Count` to draw from,
+a tuple of class names to pick a part from, or of words (one named twice is picked twice as often), a fixed value, or
+a chance between 0 and 1 that an optional thing is there."""
+
+
+def draw(model: type[M], rng: np.random.Generator, choices: Choices, given: Mapping[str, object] | None = None) -> M:
+    """A random value of a model class, but for the fields `given`; every number is rounded to what will be spoken.
+
+    `choices` overrides what the class declares, by ``Class.field``, field or measure name, the most special first.
+    What the class's own validators refuse is drawn again.
+
+    Raises:
+        SceneError: a number has no range, or nothing valid was drawn within the budget.
+    """
+    return _accepted(model, rng, choices, given or {}, {})
+
+
+def _accepted(
+    model: type[M], rng: np.random.Generator, choices: Choices, given: Mapping[str, object], around: Mapping[str, Any]
+) -> M:
+    """Return a value that its validators accept; `around` has what was drawn of whatever will hold it."""
+    refused = ""
+    for _ in range(REDRAWS):
+        try:
+            return _drawn(model, rng, choices, given, around)
+        except ValidationError as error:
+            refused = error.errors()[0]["msg"]
+    raise SceneError(model.__name__, f"nothing valid in {REDRAWS} draws: {refused}", "widen a range")
+
+
+def _drawn(
+    model: type[M], rng: np.random.Generator, choices: Choices, given: Mapping[str, object], around: Mapping[str, Any]
+) -> M:
+    values, absent = dict(given), dict[str, object]()
+    for name, kind in field_types(model).items():
+        if name in values:
+            continue
+        info = model.model_fields[name]
+        if (kind.optional or not info.is_required()) and not _is_there(model, name, rng, choices):
+            absent[name] = info.get_default(call_default_factory=True)
+            continue
+        values[name] = _draw_field(model, name, rng, choices, {**around, **absent, **values})
+    return model(**values | _kept(model, model.fitted(values, rng), choices, given))
+
+
+def _is_there(model: type[Model], name: str, rng: np.random.Generator, choices: Choices) -> bool:
+    """Return whether to draw a field that a model can leave out, by the recipe's choice, the field's mark or chance."""
+    kind = field_types(model)[name]
+    chance = _choice(choices, f"{model.__name__}.{name}?", f"{name}?")
+    if chance is None and kind.usual is not None:
+        return kind.usual
+    chance = kind.chance if chance is None else chance
+    if chance is None and not kind.optional:
+        chosen = _chosen(model, name, kind, choices) is not None
+        chance = 1.0 if kind.drawn or kind.models or chosen else 0.0
+    return rng.random() < float(chance or 0.0)  # type: ignore[arg-type]
+
+
+def _kept(
+    model: type[Model], fitted: Mapping[str, object], choices: Choices, given: Mapping[str, object]
+) -> dict[str, object]:
+    """Return what was fitted, without what was given or chosen; how many there are is no choice of what they are."""
+    types, free = field_types(model), fitted.keys() - given.keys()
+    chosen = {name: _chosen(model, name, types[name], choices) for name in free}
+    return {name: fitted[name] for name in fitted if name in free and isinstance(chosen[name], Count | None)}
+
+
+def _chosen(model: type[Model], name: str, kind: FieldType, choices: Choices) -> Choice:
+    """Return what a recipe has chosen for a field."""
+    return _choice(choices, f"{model.__name__}.{name}", name, *((kind.measure.name,) if kind.measure else ()))
+
+
+def _choice(choices: Choices, *names: str) -> Choice:
+    return next((choices[name] for name in names if name in choices), None)
+
+
+def _draw_field(
+    model: type[Model], name: str, rng: np.random.Generator, choices: Choices, known: Mapping[str, Any]
+) -> object:
+    """Return a value for a field, with what is `known` of the fields before it."""
+    kind = field_types(model)[name]
+    picks = _chosen(model, name, kind, choices)
+    if kind.measure is not None:
+        found = kind.drawn if picks is None else picks  # a choice of 0.0 is a choice
+        if isinstance(found, Range):
+            return kind.measure.draw(rng, found.low, found.high)
+        if isinstance(found, float | int):
+            return float(found)
+        remedy = "declare a Range or let the recipe choose"
+        raise SceneError(f"{model.__name__}.{name}", "has no range to be drawn from", remedy)
+    if kind.words:
+        words = picks if isinstance(picks, tuple) else kind.words
+        return words[int(rng.integers(len(words)))]
+    if kind.member:
+        return int(rng.integers(max(len(known[kind.member]), 1)))  # one that nothing has is refused, and drawn again
+    names = picks if isinstance(picks, tuple) else tuple(held.__name__ for held in kind.models)
+    allowed = [held for name in names for held in kind.models if held.__name__ == name]
+
+    def one() -> Model:
+        return _accepted(allowed[int(rng.integers(len(allowed)))], rng, choices, {}, known)
+
+    count = picks if isinstance(picks, Count) else kind.count
+    if kind.count is None or count is None:
+        return one()
+    size = kind.size(known) if kind.size is not None else int(rng.integers(count.low, count.high + 1))
+    if kind.count.alike:
+        allowed = [allowed[int(rng.integers(len(allowed)))]]
+    return tuple(one() for _ in range(size))
+
+
+def rebuilt(value: M, **fields: object) -> M:
+    """Return the same value with some fields replaced, validated again."""
+    held = {name: getattr(value, name) for name in type(value).model_fields}
+    return type(value)(**{**held, **fields})

@@ -1,0 +1,268 @@
+"""Uniform rigid bodies with extent: their volumes, centres of mass and moments of inertia in closed form."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from math import cos, exp, log, pi, sin
+from typing import Annotated, Any, ClassVar, Literal
+
+import numpy as np
+from annotated_types import Ge, Le
+
+from sim2reason.scenes.dsl.body import Axial, Body, Capped, Rectangular, Spherical
+from sim2reason.scenes.dsl.builder import Frame
+from sim2reason.scenes.dsl.measures import LEAST, Mass, Measure, Range
+from sim2reason.scenes.dsl.mechanism import ZERO, X, Y, Z
+from sim2reason.scenes.dsl.model import as_said, field_types
+from sim2reason.scenes.dsl.template import Word
+from sim2reason.scenes.dsl.vectors import Tensor, Vector, add, inner, outer, scale, unit
+
+Axes = tuple[Vector, Vector, Vector]
+"""How a figure is turned: where its own x, y and z axes point, unit vectors at right angles."""
+
+UPRIGHT: Axes = (X, Y, Z)
+OVERTURNED: Axes = (X, (0.0, -1.0, 0.0), (0.0, 0.0, -1.0))  # by half a turn about x
+PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))  # the entries of a symmetric tensor, in their order
+
+
+@dataclass(frozen=True, slots=True)
+class Solid:
+    """A uniform figure: a solid, a surface or a line, so that its size is a volume, an area or a length."""
+
+    size: float  # m³, m² or m
+    center: Vector  # its centroid, m
+    second: Tensor  # ∫ (r − c)(r − c)ᵀ over it, about the centroid: size times m²
+
+    def inertia(self, mass: float) -> Tensor:
+        """Return the tensor of inertia about the centroid, kg m²: ρ ∫ (r² 1 − r rᵀ)."""
+        xx, yy, zz, xy, xz, yz = (mass / self.size * part for part in self.second)
+        return (yy + zz, xx + zz, xx + yy, -xy, -xz, -yz)
+
+    def moved(self, by: Vector) -> "Solid":
+        """Return the same figure elsewhere."""
+        return Solid(self.size, add(self.center, by), self.second)
+
+    def turned(self, axes: Axes) -> "Solid":
+        """Return the same figure turned about the origin."""
+        entries = [(i, j, part) for (i, j), part in zip(PAIRS, self.second, strict=True)]
+        both = [*entries, *((j, i, part) for i, j, part in entries if i != j)]
+        xx, yy, zz, xy, xz, yz = (sum(part * axes[i][p] * axes[j][q] for i, j, part in both) for p, q in PAIRS)
+        center = add(*(scale(part, axis) for part, axis in zip(self.center, axes, strict=True)))
+        return Solid(self.size, center, (xx, yy, zz, xy, xz, yz))
+
+    def __add__(self, other: "Solid") -> "Solid":
+        """Return both figures as one, of the same density."""
+        size = self.size + other.size
+        if size == 0.0:
+            return NOTHING
+        apart = add(other.center, scale(-1.0, self.center))
+        share = self.size * other.size / size
+        parts = (a + b for a, b in zip(self.second, other.second, strict=True))
+        xx, yy, zz, xy, xz, yz = (p + share * apart[i] * apart[j] for p, (i, j) in zip(parts, PAIRS, strict=True))
+        return Solid(size, add(self.center, scale(other.size / size, apart)), (xx, yy, zz, xy, xz, yz))
+
+    def __neg__(self) -> "Solid":
+        """Return the figure as a hole."""
+        xx, yy, zz, xy, xz, yz = self.second
+        return Solid(-self.size, self.center, (-xx, -yy, -zz, -xy, -xz, -yz))
+
+    def __sub__(self, other: "Solid") -> "Solid":
+        """Return the first figure with the second, which lies in it, cut out."""
+        return self + (-other)
+
+
+NOTHING = Solid(0.0, ZERO, (0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+
+
+@lru_cache(maxsize=64)
+def axes_along(axis: Vector) -> Axes:
+    """Axes of which z points along a unit vector; for figures that are round about z it does not matter how x does."""
+    aside = X if abs(axis[0]) < 0.7 else Z
+    across = unit(outer(aside, axis))
+    return (outer(across, axis), across, axis)
+
+
+def composed(axes: Axes, then: Axes) -> Axes:
+    """Return how a figure is turned that is turned twice."""
+    x, y, z = (add(*(scale(part, image) for part, image in zip(axis, then, strict=True))) for axis in axes)
+    return (x, y, z)
+
+
+def transposed(axes: Axes) -> Axes:
+    """Return how a figure is turned back that was turned so."""
+    x, y, z = zip(*axes, strict=True)
+    return (x, y, z)
+
+
+def seen(way: Vector, axes: Axes) -> Vector:
+    """Return a direction in the own axes of a figure that is turned."""
+    return (inner(way, axes[0]), inner(way, axes[1]), inner(way, axes[2]))
+
+
+def _even(size: float, xx: float, yy: float, zz: float, height: float = 0.0) -> Solid:
+    """Return a figure with its centroid on the z axis and mean squares of x, y and z, m²."""
+    return Solid(size, (0.0, 0.0, height), (size * xx, size * yy, size * zz, 0.0, 0.0, 0.0))
+
+
+# ---- primitives, each about its centre unless it says otherwise
+
+
+def point() -> Solid:
+    """Something without extent."""
+    return _even(1.0, 0.0, 0.0, 0.0)
+
+
+def ball(radius: float) -> Solid:
+    """Return a solid sphere: ⟨x²⟩ = r²/5."""
+    square = radius**2 / 5.0
+    return _even(4.0 / 3.0 * pi * radius**3, square, square, square)
+
+
+def sphere_surface(radius: float) -> Solid:
+    """Return a thin spherical shell: ⟨x²⟩ = r²/3."""
+    square = radius**2 / 3.0
+    return _even(4.0 * pi * radius**2, square, square, square)
+
+
+def cylinder(radius: float, height: float) -> Solid:
+    """Return a solid cylinder about z: ⟨x²⟩ = r²/4, ⟨z²⟩ = h²/12."""
+    return _even(pi * radius**2 * height, radius**2 / 4.0, radius**2 / 4.0, height**2 / 12.0)
+
+
+def disc(radius: float) -> Solid:
+    """Return a thin disc about z."""
+    return _even(pi * radius**2, radius**2 / 4.0, radius**2 / 4.0, 0.0)
+
+
+def ring(radius: float) -> Solid:
+    """Return a thin ring about z: ⟨x²⟩ = r²/2."""
+    return _even(2.0 * pi * radius, radius**2 / 2.0, radius**2 / 2.0, 0.0)
+
+
+def rod(length: float) -> Solid:
+    """Return a thin rod along z: ⟨z²⟩ = l²/12."""
+    return _even(length, 0.0, 0.0, length**2 / 12.0)
+
+
+def box(a: float, b: float, c: float) -> Solid:
+    """Return a rectangular bar with edges along x, y and z."""
+    return _even(a * b * c, a * a / 12.0, b * b / 12.0, c * c / 12.0)
+
+
+def polygon(sides: int, radius: float) -> Solid:
+    """Return a thin regular polygon about z, inscribed in a circle of `radius`."""
+    square = _polygon_square(sides, radius)
+    return _even(_polygon_area(sides, radius), square, square, 0.0)
+
+
+def prism(sides: int, radius: float, height: float) -> Solid:
+    """Return a regular prism about z; its cross-section is inscribed in a circle of `radius`."""
+    square = _polygon_square(sides, radius)
+    return _even(_polygon_area(sides, radius) * height, square, square, height**2 / 12.0)
+
+
+def _polygon_area(sides: int, radius: float) -> float:
+    return 0.5 * sides * radius**2 * sin(2.0 * pi / sides)
+
+
+def _polygon_square(sides: int, radius: float) -> float:
+    """⟨x²⟩ = ⟨y²⟩ by symmetry, for n ≥ 3: each of the n triangles has ⟨ρ²⟩ = r²(2 + cos 2π/n)/6 about the axis."""
+    return radius**2 * (2.0 + cos(2.0 * pi / sides)) / 12.0
+
+
+def segment(radius: float, height: float) -> Solid:
+    """Return the part of a ball on one side of a plane: its flat face lies at z = 0, its pole at z = `height` ≤ 2r.
+
+    At a depth u below the pole the cross-section has the radius √(u(2r − u)); all moments are polynomials of h.
+    """
+    r, h = radius, height
+    size = pi * h**2 * (r - h / 3.0)
+    if size <= 0.0:  # balls that touch within rounding share no more
+        return NOTHING
+    depth = pi * h**3 * (2.0 * r / 3.0 - h / 4.0) / size
+    zz = pi * h**4 * (r / 2.0 - h / 5.0) / size - depth**2
+    xx = pi / 4.0 * h**3 * (4.0 / 3.0 * r**2 - r * h + h**2 / 5.0) / size
+    return _even(size, xx, xx, zz, h - depth)
+
+
+def lens(radius: float, other: float, distance: float) -> Solid:
+    """Return what two balls share: one of `radius` about the origin, one of radius `other` about z = `distance` ≥ 0."""
+    if distance >= radius + other:
+        return NOTHING
+    if distance + other <= radius:
+        return ball(other).moved((0.0, 0.0, distance))
+    if distance + radius <= other:
+        return ball(radius)
+    plane = (distance**2 + radius**2 - other**2) / (2.0 * distance)
+    upper = segment(radius, radius - plane)
+    lower = segment(other, plane - (distance - other)).turned(OVERTURNED)
+    return (upper + lower).moved((0.0, 0.0, plane))
+
+
+SMALL = Le(1e2)
+Radius = Annotated[float, LEAST, SMALL, Measure("radius", "m", "R", sought=0.3), Range(0.05, 0.15)]
+HoleRadius = Annotated[float, LEAST, SMALL, Measure("hole radius", "m", "r"), Range(0.02, 0.05)]
+HoleOffset = Annotated[float, Ge(0), SMALL, Measure("offset", "m", "d", called="distance"), Range(0.02, 0.05)]
+Thickness = Annotated[float, LEAST, SMALL, Measure("thickness", "m", "t"), Range(0.01, 0.03)]
+Extent = Annotated[float, LEAST, SMALL, Measure("height", "m", "h"), Range(0.05, 0.3)]
+
+Overlooked = Literal["hole", "wall", "section", "height"]
+"""A hole, the thickness of a wall, what makes a bar or cylinder more than a thin rod, or more than a thin disc."""
+
+
+DRAWN = Range(150.0, 9000.0)  # kg/m³, of what is drawn
+
+
+class Shape(Body):
+    """A uniform rigid body, in axes of its own.
+
+    Their origin is what a text calls its centre, z its axis, or the way to its pole or to its hole. `axis` is the word
+    for what points along z.
+    """
+
+    mass: Mass
+
+    bulky: ClassVar[bool] = False  # whether the text says all its sizes, so that `solid` is one of three dimensions
+    seen: ClassVar[Axes] = UPRIGHT  # where the axes of its look point, in its own
+    words: ClassVar[dict[str, Word]] = {"axis": Word("mass", {}, "axis")}
+
+    @property
+    def solid(self) -> Solid:
+        """Return how its mass is spread."""
+        raise NotImplementedError
+
+    @property
+    def density(self) -> float | None:
+        """Its mass over its volume."""
+        return self.mass / self.solid.size if self.bulky else None
+
+    @classmethod
+    def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
+        """Give it a mass that suits its size, within the range of masses if it can be."""
+        if not cls.bulky:
+            return {}
+        mass = field_types(cls)["mass"].drawn or Range(drawn["mass"], drawn["mass"])
+        volume = cls(**drawn).solid.size
+        low, high = (min(max(end / volume, DRAWN.low), DRAWN.high) for end in (mass.low, mass.high))
+        if low <= drawn["mass"] / volume <= high:
+            return {}
+        density = exp(rng.uniform(log(low), log(max(high, min(2.0 * low, DRAWN.high)))))
+        return {"mass": as_said(cls, "mass", density * volume)}
+
+    @property
+    def plainer(self) -> Mapping[Overlooked, Solid]:
+        """Figures of the same mass and centre that a reader may take it for, by what is overlooked then."""
+        return {}
+
+    def reach(self, way: Vector) -> float:
+        """Return how far it extends from its origin along a unit vector, m."""
+        look = self.look
+        if self.seen != UPRIGHT or not isinstance(look, Axial | Capped | Rectangular | Spherical):
+            raise NotImplementedError
+        return look.reach(way)
+
+    def put(self, carrier: Frame, name: str, at: Vector, axes: Axes = UPRIGHT) -> Frame:
+        """Return the body on what carries it, its origin at a point there and turned so."""
+        turned = self.solid.turned(axes)
+        frame = carrier.body(name, self.mass, at=at, center=turned.center, inertia=turned.inertia(self.mass))
+        return frame.turned(composed(self.seen, axes))

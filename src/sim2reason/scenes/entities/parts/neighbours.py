@@ -1,0 +1,139 @@
+"""Neighbours on a straight track: what joins them, what is between them, how they bounce; and the lines that tell it."""
+
+from collections.abc import Container, Sequence
+from math import ceil, inf
+from typing import Annotated, Self, TypeVar
+
+from annotated_types import Ge, Le
+from pydantic import model_validator
+
+from sim2reason.scenes.authoring import Measure, Member, Part, Restitution, each, either
+from sim2reason.scenes.bodies.sliders import Glider
+from sim2reason.scenes.bodies.spring import Bumper, Coil
+from sim2reason.scenes.dsl.model import field_types, rebuilt
+
+Index = Annotated[int, Ge(0), Le(5), Member("gliders")]
+Wall = Annotated[float, Ge(-1e3), Le(1e3), Measure("position of a wall", "m", "X", decimals=2)]
+ROOM, SPRUNG = 0.3, 0.9  # m, at least, between neighbours that are drawn, and between those that a spring joins
+
+
+class Pair(Part):
+    """Two neighbours, by their indices, the left one first."""
+
+    first: Index
+    second: Index
+
+    @model_validator(mode="after")
+    def _neighbours(self) -> Self:
+        if self.second != self.first + 1:
+            raise ValueError("first, second: name two neighbours by index, the left one first")
+        return self
+
+
+class Joined(Pair):
+    """A spring that joins two neighbours, relaxed at the start."""
+
+    spring: Coil
+
+
+class Buffered(Pair):
+    """A light spring that is fixed to the first and that the second runs into; to which of them does not matter."""
+
+    buffer: Bumper
+
+
+def alike(gliders: Sequence[Glider]) -> tuple[Glider, ...]:
+    """Return the same, all of the class of the first."""
+    kind = type(gliders[0])
+    return tuple(kind(mass=glider.mass, x=glider.x, v=glider.v) for glider in gliders)
+
+
+Sprung = TypeVar("Sprung", Joined, Buffered)
+HARDEST = {Buffered: 2000.0, Joined: 500.0}  # N/m, of springs that are drawn: those that join swing on and on
+
+SQUEEZED = 0.45  # of its length, by which a spring between two bodies becomes shorter at most
+
+
+def fit(gliders: Sequence[Glider], joined: Sequence[Joined], buffers: Sequence[Buffered]) -> dict[str, object]:
+    """Return what was drawn, from left to right with room between neighbours, and on firm springs."""
+    ordered = _apart(sorted(gliders, key=lambda glider: glider.x), {pair.first for pair in joined})
+    return {"gliders": ordered, "joined": _firm(joined, ordered), "buffers": _firm(buffers, ordered)}
+
+
+def _apart(gliders: Sequence[Glider], joined: Container[int]) -> tuple[Glider, ...]:
+    """Neighbours too near each other are moved to the right, and back to the left from where no place is drawn."""
+    drawn = field_types(Glider)["x"].drawn
+    last = drawn.high if drawn is not None else inf
+    places = [glider.x for glider in gliders]
+    rooms = [SPRUNG if index in joined else ROOM for index in range(len(places) - 1)]
+    for index, room in enumerate(rooms):
+        places[index + 1] = max(places[index + 1], places[index] + room)
+    for index in reversed(range(len(places))):
+        places[index] = min(places[index], last - sum(rooms[index:]))
+    return tuple(rebuilt(glider, x=round(x, 2)) for glider, x in zip(gliders, places, strict=True))
+
+
+def _firm(pairs: Sequence[Sprung], gliders: Sequence[Glider]) -> tuple[Sprung, ...]:
+    """Return those whose springs are stiff enough, or can be made so, that nothing compresses them to nothing.
+
+    With a reduced mass µ and a relative speed of at most twice the largest, ½µ(2v)² = ½kd² where d is 0.45 of the room.
+    """
+    fastest, found = 2.0 * max(abs(glider.v) for glider in gliders), list[Sprung]()
+    for pair in pairs:
+        one, other = gliders[pair.first], gliders[pair.second]
+        room = pair.buffer.length if isinstance(pair, Buffered) else other.x - one.x
+        spring = pair.buffer if isinstance(pair, Buffered) else pair.spring
+        least = one.mass * other.mass / (one.mass + other.mass) * (fastest / (SQUEEZED * room)) ** 2
+        if least <= HARDEST[type(pair)]:
+            stiff = rebuilt(spring, stiffness=max(spring.stiffness, 10.0 * ceil(0.1 * least)))
+            found.append(rebuilt(pair, **{"buffer" if isinstance(pair, Buffered) else "spring": stiff}))
+    return tuple(found)
+
+
+class OwnRestitution(Pair):
+    """A restitution of two neighbours other than that of all the others."""
+
+    restitution: Restitution
+
+
+WALLS = (
+    either(
+        "{track.left}, at x = {left}, stands a fixed wall.",
+        "a fixed wall stands {track.left}, at x = {left}.",
+        "the track ends {track.left} at a fixed wall, at x = {left}.",
+        "{track.left} the track ends at x = {left}, at a fixed wall.",
+        "at x = {left} the track ends {track.left}, at a fixed wall.",
+    ),
+    either(
+        "{track.right}, at x = {right}, stands a fixed wall.",
+        "a fixed wall stands {track.right}, at x = {right}.",
+        "the track ends {track.right} at a fixed wall, at x = {right}.",
+        "{track.right} the track ends at x = {right}, at a fixed wall.",
+        "at x = {right} the track ends {track.right}, at a fixed wall.",
+    ),
+)
+"""The lines of an entity whose `track` may have walls, at `left` and `right`."""
+
+JOINED = each(
+    "joined",
+    "{joined.*.spring}, initially relaxed, joins {joined.*.first>gliders} to {joined.*.second>gliders}.",
+    "{joined.*.first>gliders} is joined to {joined.*.second>gliders} by {joined.*.spring}, which is initially relaxed.",
+    "between {joined.*.first>gliders} and {joined.*.second>gliders} runs {joined.*.spring} that is fixed to both and initially relaxed.",
+)
+"""The lines of an entity whose `gliders` have `joined`: springs that are fixed to both."""
+
+BUFFERS = each(
+    "buffers",
+    "{buffers.*.buffer}, initially relaxed, is fixed to {buffers.*.first>gliders} on the side of {buffers.*.second>gliders}.",
+    "{buffers.*.first>gliders} has, on the side of {buffers.*.second>gliders}, {buffers.*.buffer}, which is initially relaxed.",
+    "on its side towards {buffers.*.second>gliders} {buffers.*.first>gliders} carries {buffers.*.buffer}, initially relaxed.",
+)
+"""The lines of an entity whose `gliders` have `buffers`: springs that are fixed to one of them."""
+
+PAIRS = each(
+    "pairs",
+    "between {pairs.*.first>gliders} and {pairs.*.second>gliders} the coefficient of restitution is {pairs.*.restitution}.",
+    "when {pairs.*.first>gliders} and {pairs.*.second>gliders} meet, the coefficient of restitution is {pairs.*.restitution}.",
+    "the coefficient of restitution of {pairs.*.first>gliders} with {pairs.*.second>gliders} is {pairs.*.restitution}.",
+)
+"""The lines of an entity whose `gliders` have `pairs`: a restitution of its own."""

@@ -1,0 +1,144 @@
+"""A fixed star and its planets, in astronomical units; the planets may attract one another."""
+
+from collections.abc import Iterable, Mapping
+from itertools import combinations
+from math import cos, hypot, pi, sin, sqrt
+from typing import Annotated, Any, ClassVar, Self
+
+import numpy as np
+from annotated_types import Len
+from pydantic import model_validator
+
+from sim2reason.scenes.authoring import Count, Entity, Frame, Range, X, Y, assuming, each, either, entity
+from sim2reason.scenes.bodies.space import G, HeavyPlanet, Planet, Star
+from sim2reason.scenes.dsl.model import as_said, rebuilt
+from sim2reason.scenes.dsl.units import ASTRONOMICAL, UnitSystem
+
+LIGHT = 1e-6  # solar masses; of a planet whose mass is not said, and does not matter
+INNERMOST = Range(0.3, 0.7)  # au, of the first perihelion
+APART, FAR_APART = Range(1.2, 1.6), Range(1.6, 2.2)  # of each perihelion to the aphelion before; of heavy planets
+RATIO = Range(2e-4, 1e-3)  # of the mass of a heavy planet to that of its star
+ROUND = Range(0.0, 0.3)  # eccentricities
+APSIS = 0.4  # of first planets start at an end of the major axis, at right angles to the line from the star
+FULL = 1.2  # periods: one is over within them, also where a number is a little larger
+LONGEST = 50.0  # yr
+
+AnyPlanet = Planet | HeavyPlanet
+Planets = Annotated[tuple[AnyPlanet, ...], Len(1, 6), Count(1, 4, alike=True)]
+
+
+@entity
+class SolarSystem(Entity):
+    """Planets that a fixed star attracts; those that have a mass attract one another, too."""
+
+    star: Star
+    planets: Planets
+
+    units: ClassVar[UnitSystem] = ASTRONOMICAL
+    says = (
+        either(
+            "{star} is fixed at the origin of the x-y plane; the units are the astronomical unit (au), the year (yr) and the solar mass (Msun), in which G = 4π² au³/(Msun yr²).",
+            "{star} is fixed at the origin of the x-y plane; with lengths in au, times in years (yr) and masses in solar masses (Msun), G = 4π² au³/(Msun yr²).",
+            "lengths are in au, times in years (yr) and masses in solar masses (Msun), so that G = 4π² au³/(Msun yr²); {star} is fixed at the origin of the x-y plane.",
+        ),
+        each(
+            "planets",
+            "{planets.*} is at ({planets.*.x}, {planets.*.y}) at t = 0, moving with the velocity ({planets.*.vx}, {planets.*.vy}).",
+            "at t = 0 {planets.*} is at the point ({planets.*.x}, {planets.*.y}) and has the velocity ({planets.*.vx}, {planets.*.vy}).",
+            "the position of {planets.*} at t = 0 is ({planets.*.x}, {planets.*.y}), and its velocity is ({planets.*.vx}, {planets.*.vy}).",
+            table=(
+                "the table gives each {noun}'s {columns} at t = 0.",
+                "the table shows the {columns} of each {noun} at t = 0.",
+                "at t = 0 each {noun} has the {columns} that the table gives.",
+                "for t = 0 the table lists the {columns} of each {noun}.",
+            ),
+        ),
+        assuming(
+            "{planets:{planets.first} is attracted by the star alone/the {planets:s} are attracted by the star and {planets.first.among} one another}.",
+            "{planets:the only force on {planets.first} is the attraction of the star/the star attracts the {planets:s}, which {planets.first.among} one another}.",
+            "{planets:no force but the attraction of the star acts on {planets.first}/the star attracts each of the {planets:s}, and they {planets.first.among} one another}.",
+        ),
+    )
+
+    @model_validator(mode="after")
+    def _moves(self) -> Self:
+        heavy = [isinstance(planet, HeavyPlanet) for planet in self.planets]
+        if any(heavy) and not (all(heavy) and len(heavy) > 1):
+            raise ValueError("planets: a mass matters only to other planets; give one to all of several, or to none")
+        for index, planet in enumerate(self.planets):
+            if hypot(planet.x, planet.y) == 0.0:
+                raise ValueError(f"planets.{index}: it is where the star is; give it another place")
+        for (i, a), (j, b) in combinations(enumerate(self.planets), 2):
+            if all(heavy) and (a.x, a.y) == (b.x, b.y):
+                raise ValueError(f"planets.{j}: it is where planets.{i} is; give it another place")
+        return self
+
+    @classmethod
+    def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
+        """Planets on ellipses about this star, one outside the other, and all much lighter than it."""
+        mass: float = drawn["star"].mass
+        planets = orbiting(drawn["planets"], mass, ROUND, rng)
+        return {"planets": tuple(_lighter(planet, mass, rng) for planet in planets)}
+
+    def horizon(self, gravity: float) -> float:
+        """A little more than the shortest period of a planet that returns, or the time that a circle would take, yr."""
+        del gravity
+        return min([LONGEST, *(FULL * self._period(planet) for planet in self.planets)])
+
+    def _period(self, planet: AnyPlanet) -> float:
+        distance, attraction = hypot(planet.x, planet.y), G * self.star.mass
+        over = 2.0 / distance - (planet.vx**2 + planet.vy**2) / attraction  # 1/a, by the vis-viva equation
+        axis = 1.0 / over if over * distance > 0.1 else distance
+        return 2.0 * pi * sqrt(axis**3 / attraction)
+
+    def build(self, room: Frame) -> None:
+        """Bodies with two slides in the level plane; the star has none."""
+        star = room.body("star", self.star.mass)
+        frames: list[Frame] = []
+        for index, planet in enumerate(self.planets):
+            mass = planet.mass if isinstance(planet, HeavyPlanet) else LIGHT
+            frame = room.body(f"planets.{index}", mass, at=(planet.x, planet.y, 0.0))
+            frame.slide(X, planet.vx, name="x", stated=("x", planet.x))
+            frame.slide(Y, planet.vy, name="y", stated=("y", planet.y)).attract(star, G)
+            frames.append(frame)
+        if isinstance(self.planets[0], HeavyPlanet):
+            for one, other in combinations(frames, 2):
+                one.attract(other, G)
+
+
+def _lighter(planet: AnyPlanet, mass: float, rng: np.random.Generator) -> AnyPlanet:
+    """Return a heavy planet with a small part of the mass of its star."""
+    if isinstance(planet, Planet):
+        return planet
+    return rebuilt(planet, mass=float(f"{rng.uniform(RATIO.low, RATIO.high) * mass:.1e}"))
+
+
+def orbiting(
+    planets: Iterable[AnyPlanet],
+    mass: float,
+    eccentricities: Range,
+    rng: np.random.Generator,
+) -> tuple[AnyPlanet, ...]:
+    """Return the planets on ellipses about a star of some mass, each orbit outside the one before.
+
+    The first planet starts on the x axis, so that its distance from the star can be read off; the others anywhere.
+    With p = a(1 − e²), at the angle ν from the perihelion, r = p/(1 + e cos ν), and the velocity is √(GM/p) times
+    (−sin ν, e + cos ν) in axes of which the first points to the perihelion.
+    """
+    found: list[AnyPlanet] = []
+    nearest = rng.uniform(INNERMOST.low, INNERMOST.high)
+    for planet in planets:
+        e, turn, angle = rng.uniform((eccentricities.low, 0.0, 0.0), (eccentricities.high, 2.0 * pi, 2.0 * pi))
+        if not found:
+            angle = pi * float(rng.integers(2)) if rng.random() < APSIS else angle
+            turn = -angle
+        p = nearest * (1.0 + e)
+        r, speed = p / (1.0 + e * cos(angle)), sqrt(G * mass / p)
+        x, y = r * cos(angle + turn), r * sin(angle + turn)
+        along, across = -speed * sin(angle), speed * (e + cos(angle))
+        vx, vy = along * cos(turn) - across * sin(turn), along * sin(turn) + across * cos(turn)
+        orbit = {name: as_said(type(planet), name, part) for name, part in (("x", x), ("y", y), ("vx", vx), ("vy", vy))}
+        apart = FAR_APART if isinstance(planet, HeavyPlanet) else APART
+        nearest *= (1.0 + e) / (1.0 - e) * rng.uniform(apart.low, apart.high)
+        found.append(rebuilt(planet, **orbit))
+    return tuple(found)

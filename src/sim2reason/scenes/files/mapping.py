@@ -1,0 +1,325 @@
+"""Scene files: what `load` reads, `dump` writes back equal, always in the same bytes.
+
+    scene:
+      entities:
+      - {name: hook, type: FixedSupport}
+      …
+      connections:
+      - tendon: [{entity: …, direction: …}, {entity: …, direction: …}]
+
+A file is foreign text. Whatever is wrong with it is one SceneError with the path in the file, the line and the remedy.
+"""
+
+from difflib import get_close_matches
+from functools import cache
+from pathlib import Path
+from typing import Any, NamedTuple, NoReturn, TypeVar
+
+from pydantic import ValidationError
+
+from sim2reason.base.registry import nearest
+from sim2reason.base.yaml_text import Lines, Plain, parse, shown, write
+from sim2reason.errors import SceneError
+from sim2reason.scenes.dsl.entity import ENTITIES, Entity, Named
+from sim2reason.scenes.dsl.model import Model, field_types
+from sim2reason.scenes.dsl.scene import Scene, World
+from sim2reason.scenes.files.mistakes import check_position, explained, plain_name, respelled
+from sim2reason.scenes.files.question_parts import parts_from
+from sim2reason.scenes.files.schema import is_many, snake
+from sim2reason.scenes.files.source_text import source_text
+from sim2reason.scenes.files.tendons import own_values, paths, read_pair, told_pairs
+from sim2reason.scenes.files.wording import Wording, wording_from
+
+M = TypeVar("M", bound=Model)
+SCENE_KEYS = ("name", "entities", "connections", "world", "glued")
+ENTITY_KEYS = ("name", "type", "position", "parameters")
+
+
+def load(source: str | Path) -> Scene:
+    """Read a scene from YAML text or from a file.
+
+    Args:
+        source: The path of a file, or the text itself. A string of one line that ends in .yaml, .yml or .json is a
+            path.
+
+    Returns:
+        The scene; its mechanism can be built.
+
+    Raises:
+        SceneError: The text is invalid; the message names the path in the file, the line and a remedy.
+        OSError: The file cannot be read.
+
+    Examples:
+        >>> import sim2reason
+        >>> scene = sim2reason.load('''
+        ... scene:
+        ...   entities:
+        ...   - name: ramp
+        ...     type: TwoSideMassPlane
+        ...     parameters: {plane: {angle: 30.0, friction: 0.2}, blocks: [{mass: 2.0}]}
+        ... ''')
+        >>> scene
+        <Scene 'scene': ramp TwoSideMassPlane>
+        >>> sim2reason.load(sim2reason.dump(scene)) == scene
+        True
+    """
+    return loads(source_text(source))
+
+
+def loads(text: str) -> Scene:
+    """Read a scene from YAML text, even if it looks like a path; errors as in `load`."""
+    data = parse(text)
+    try:
+        return _scene(data)
+    except SceneError as error:
+        raise SceneError(_with_line(error.place, text), error.problem, error.remedy) from None
+
+
+def dump(scene: Scene, wording: Wording | None = None) -> str:
+    """Return a scene as YAML text, which `load` reads as an equal scene.
+
+    Args:
+        scene: The scene.
+        wording: Wording of the problem about the scene, from which figures take their names; by default none is
+            written.
+
+    Returns:
+        The YAML text; the same scene always gives the same text. Absent optional parts are left out.
+
+    Examples:
+        >>> import sim2reason
+        >>> scene = sim2reason.parse_scene("A 2 kg block is released from rest on a frictionless 30-degree incline.")
+        >>> print(sim2reason.dump(scene.scene))
+        scene:
+          name: scene
+          entities:
+          - name: e1
+            type: TwoSideMassPlane
+            parameters:
+              plane: {angle: 30.0, friction: 0.0}
+              blocks:
+              - {mass: 2.0}
+          world: {gravity: 9.8}
+        <BLANKLINE>
+    """
+    classes = {named.name: type(named.entity) for named in scene.entities}
+    entities: list[Plain] = [_told_entity(named) for named in scene.entities]
+    connections: list[Plain] = []
+    for connection in scene.connections:
+        first, *others = told_pairs(connection, classes)
+        own = {name: told(value) for name, value in own_values(connection).items()}
+        connections.append({connection.key: first, **own})
+        connections.extend({connection.key: pair} for pair in others)
+    body: dict[str, Plain] = {"name": scene.name, "entities": entities}
+    if connections:
+        body["connections"] = connections
+    body["world"] = told(scene.world)
+    if scene.glued:
+        body["glued"] = list(scene.glued)
+    text: dict[str, Plain] = {"text": wording.plain} if wording is not None else {}
+    return write({"scene": body, **text})
+
+
+def _told_entity(named: Named) -> dict[str, Plain]:
+    found: dict[str, Plain] = {"name": named.name, "type": type(named.entity).__name__}
+    parameters = told(named.entity)
+    return found | ({"parameters": parameters} if parameters else {})
+
+
+def told(value: Any, *, kind: bool = False) -> Plain:
+    """Return a value as a file has it; `kind`: its class must be said."""
+    if isinstance(value, tuple):
+        return [told(member, kind=kind) for member in value]  # type: ignore[reportUnknownVariableType]
+    if not isinstance(value, Model):
+        return value
+    found: dict[str, Plain] = {"kind": snake(type(value).__name__)} if kind else {}
+    for name, slot in _slots(type(value)).items():
+        held = getattr(value, name)
+        if held not in (None, ()) or held != slot.default:
+            found[name] = told(held, kind=len(slot.models) > 1)
+    return found
+
+
+class _Slot(NamedTuple):
+    """What a field of a model can hold."""
+
+    models: dict[str, type[Model]]  # by kind
+    many: bool
+    optional: bool
+    default: object
+
+
+@cache
+def _slots(cls: type[Model]) -> dict[str, _Slot]:
+    kinds = field_types(cls)
+    found: dict[str, _Slot] = {}
+    for name, info in cls.model_fields.items():
+        many, models = is_many(info.annotation), {snake(model.__name__): model for model in kinds[name].models}
+        found[name] = _Slot(models, many, kinds[name].optional and not many, info.default)
+    return found
+
+
+def _with_line(place: str, text: str) -> str:
+    """Return a path with the line where it stands, or where what lacks it begins; found by reading once more."""
+    lines: Lines = {}
+    parse(text, lines)
+    known = place
+    while known and known not in lines:
+        known = known[: max(known.rfind("."), known.rfind("["), 0)]
+    return f"{place} (line {lines.get(known, 1)})"
+
+
+def _scene(data: Plain) -> Scene:
+    if isinstance(data, dict) and "scene" not in data and (misplaced := next((k for k in SCENE_KEYS if k in data), "")):
+        _refuse_key(misplaced, "let the file begin with the line scene: and indent all that is there below it")
+    top = _mapping(data, "scene", ("scene", "text", "question"), root=True)
+    _ = wording_from(top.get("text", {})), parts_from(top.get("question", {}))
+    body = _mapping(top.get("scene"), "scene", SCENE_KEYS)
+    entities = tuple(_entity(entry, f"scene.entities[{i}]") for i, entry in enumerate(_list(body, "entities")))
+    classes = _classes(entities)
+    pairs = [read_pair(e, f"scene.connections[{i}]", classes) for i, e in enumerate(_list(body, "connections"))]
+    found = list(paths(pairs))
+    connections = tuple(_made(path.kind, path.own, path.first, {"links": path.links}) for path in found)
+    world = _made(World, body.get("world", {}), "scene.world")
+    glued = _glued(body)
+    places = {f"{c.key}_{i + 1}": found[i].first for i, c in enumerate(connections)}
+    try:
+        scene = Scene(
+            name=plain_name(body.get("name", "scene")),  # type: ignore[arg-type]  # pydantic says what is wrong with it
+            entities=entities,
+            connections=connections,
+            world=world,
+            glued=glued,
+        )
+        _ = scene.mechanism
+    except ValidationError as error:
+        raise explained(Scene, error, "scene") from None
+    except SceneError as error:
+        raise SceneError(_file_place(error.place, entities, places), error.problem, error.remedy) from None
+    return scene
+
+
+def _entity(entry: Plain, place: str) -> Named:
+    held = _mapping(entry, place, ENTITY_KEYS)
+    for key in ("name", "type"):
+        if not isinstance(held.get(key), str):
+            problem = f"it is {shown(held[key])}, not a word" if key in held else "it is missing"
+            raise SceneError(f"{place}.{key}", problem, "give each entity a name and a type")
+    cls = _class(str(held["type"]), f"{place}.type")
+    if "position" in held:
+        check_position(held["position"], f"{place}.position")
+    spelled = respelled(cls, held.get("parameters", {}), f"{place}.parameters")
+    try:
+        entity = _made(cls, spelled.parameters, f"{place}.parameters")
+    except SceneError as error:
+        raise SceneError(spelled.in_file(error.place), error.problem, error.remedy) from None
+    try:
+        return Named(name=str(held["name"]), entity=entity)
+    except ValidationError as error:
+        raise explained(Named, error, place) from None
+
+
+def _classes(entities: tuple[Named, ...]) -> dict[str, type[Entity]]:
+    found: dict[str, type[Entity]] = {}
+    for index, named in enumerate(entities):
+        if named.name in found:
+            raise SceneError(f"scene.entities[{index}].name", f"two entities are called {named.name}", "rename one")
+        found[named.name] = type(named.entity)
+    return found
+
+
+def _types() -> dict[str, type[Entity]]:
+    """Entity classes by every name that a file may use: ``FixedSupport`` and ``fixed_support``."""
+    return {snake(name): cls for name, cls in ENTITIES.items()} | dict(ENTITIES)
+
+
+def _class(name: str, place: str) -> type[Entity]:
+    known = _types()
+    if name not in known:
+        near = nearest(name, known)
+        remedy = f"did you mean: {', '.join(near)}" if near else "run: sim2reason list entities"
+        raise SceneError(place, f"there is no type {shown(name)}", remedy)
+    return known[name]
+
+
+def _made(cls: type[M], data: Plain, place: str, given: dict[str, object] | None = None) -> M:
+    """Return a model from what a file says of it, and what else is known."""
+    slots = _slots(cls)
+    held = _mapping(data, place, tuple(name for name in slots if name not in (given or {})))
+    values: dict[str, object] = {name: _value(slots[name], v, f"{place}.{name}") for name, v in held.items()}
+    try:
+        return cls(**values, **(given or {}))
+    except ValidationError as error:
+        raise explained(cls, error, place) from None
+
+
+def _value(slot: _Slot, data: Plain, place: str) -> object:
+    if not slot.many:
+        return _one(slot, data, place)
+    if not isinstance(data, list):
+        raise SceneError(place, f"it is {shown(data)}, not a list", "begin each member with a dash, or write [ ]")
+    return tuple(_one(slot, member, f"{place}[{index}]") for index, member in enumerate(data))
+
+
+def _one(slot: _Slot, data: Plain, place: str) -> object:
+    if not slot.models or (data is None and slot.optional):
+        return data
+    if len(slot.models) == 1:
+        return _made(next(iter(slot.models.values())), data, place)
+    kinds = ", ".join(slot.models)
+    if not isinstance(data, dict):
+        raise SceneError(place, f"it is {shown(data)}, not a mapping", f"write it with a kind: {kinds}")
+    kind = data.get("kind")
+    if not isinstance(kind, str) or kind not in slot.models:
+        problem = f"there is no kind {shown(kind)}" if "kind" in data else "it does not say its kind"
+        raise SceneError(f"{place}.kind", problem, f"give it one of: {kinds}")
+    rest = {key: value for key, value in data.items() if key != "kind"}
+    return _made(slot.models[kind], rest, place)
+
+
+def _mapping(data: Plain, place: str, keys: tuple[str, ...], *, root: bool = False) -> dict[str, Plain]:
+    """Return a mapping that has no other keys."""
+    listed = ", ".join(keys) or "none"
+    if not isinstance(data, dict):
+        problem = "it is missing" if data is None else f"it is {shown(data)}, not a mapping"
+        raise SceneError(place, problem, f"give it these keys: {listed}")
+    for key in data:
+        if key not in keys:
+            near = get_close_matches(key, keys, n=1)
+            _refuse_key(key if root else f"{place}.{key}", f"did you mean: {near[0]}" if near else f"keys: {listed}")
+    return data
+
+
+def _refuse_key(place: str, remedy: str) -> NoReturn:
+    raise SceneError(place, "there is no such key here", remedy)
+
+
+def _list(body: dict[str, Plain], key: str) -> list[Plain]:
+    data = body.get(key, [])
+    if not isinstance(data, list):
+        raise SceneError(f"scene.{key}", f"it is {shown(data)}, not a list", "begin each member with a dash")
+    return data
+
+
+def _glued(body: dict[str, Plain]) -> tuple[str, ...]:
+    for index, address in enumerate(_list(body, "glued")):
+        if not isinstance(address, str):
+            raise SceneError(f"scene.glued[{index}]", f"it is {shown(address)}, not an address", "write: ramp.blocks.0")
+    return tuple(map(str, _list(body, "glued")))
+
+
+def _file_place(place: str, entities: tuple[Named, ...], connections: dict[str, str]) -> str:
+    """Return a place that a scene names, as the path in its file."""
+    head, *rest = place.split(".")
+    if head in connections:
+        return connections[head]
+    if head in ("entities", "connections") and rest:
+        if rest[0].isdigit() and head == "connections":
+            return list(connections.values())[int(rest[0])]
+        names = [named.name for named in entities]
+        number = int(rest[0]) if rest[0].isdigit() else names.index(rest[0])
+        return "".join([f"scene.entities[{number}]", *(f".{step}" for step in rest[1:])])
+    names = [named.name for named in entities]
+    if head in names:
+        return f"scene.entities[{names.index(head)}]"
+    return f"scene.{place}" if head in SCENE_KEYS else "scene"

@@ -1,0 +1,212 @@
+"""Energies and powers."""
+
+import numpy as np
+
+from sim2reason.scenes.dsl.mechanism import ZERO, Attraction, ConstantTension, Mechanism
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.vectors import minus, product
+from sim2reason.simulation.quantities import Quantity, quantity
+from sim2reason.simulation.quantities.forces import StringLengthRate
+from sim2reason.simulation.quantities.kinematics import Displacement, Velocity
+from sim2reason.simulation.quantities.momentum import AngularMomentum, NetForce
+from sim2reason.simulation.quantities.rotation import AngularVelocity
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
+from sim2reason.simulation.quantities.subjects.lines import Strings
+from sim2reason.simulation.quantities.subjects.paths import center_path, is_welded_part
+
+
+class Energy(Quantity):
+    """What all energies of a body share."""
+
+    of = Bodies()
+    unit = "J"
+    needs = ("mass",)
+    floor, heavy = 0.1, True
+
+
+@quantity
+class KineticEnergy(Energy):
+    """The kinetic energy of a body alone, that of its turning included."""
+
+    name, symbol = "kinetic energy", "K"
+    magnitude = "the kinetic energy of {body}{ground}"
+    how = "how much kinetic energy does {body} have{ground} {when}?"
+    given = True
+    weight = 0.15  # of one body it is seldom more than its speed in another guise
+    panel, pooled, order = "energy", True, 5
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """K = ½ m v² + ½ ω·Iω (König), (n,), with its own inertia about its centre of mass."""
+        moving = TranslationalEnergy.evaluate(state, subject)
+        if state.frames[subject].spin is None:
+            return moving
+        return moving + RotationalEnergy.evaluate(state, subject)
+
+
+class EnergyOfTurning(Energy):
+    """A part of the kinetic energy of a body that turns."""
+
+    weight = 0.1
+    given = True
+
+    def present(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the body turns and has a moment of inertia, so that the parts differ from the whole.
+
+        Of a part of a rigid body nobody asks for them.
+        """
+        turns = any(mechanism.body[name].inertia) and bool(center_path(mechanism, name).turns)
+        return turns and not is_welded_part(mechanism, name)
+
+
+@quantity
+class TranslationalEnergy(EnergyOfTurning):
+    """The kinetic energy of the motion of the centre of mass."""
+
+    name, symbol = "translational kinetic energy", "K"
+    magnitude = "the translational kinetic energy of {body}{ground}"
+    order = 6
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """½ m v², (n,)."""
+        speed = Velocity.evaluate(state, subject)
+        return 0.5 * state.mass(subject) * np.einsum("ij,ij->i", speed, speed)
+
+
+@quantity
+class RotationalEnergy(EnergyOfTurning):
+    """The kinetic energy of turning about the centre of mass."""
+
+    name, symbol = "rotational kinetic energy", "K"
+    magnitude = "the rotational kinetic energy of {body} about its centre of mass"
+    order = 7
+
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the body turns and has a moment of inertia."""
+        return self.present(mechanism, name)
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """½ ω·Iω, (n,)."""
+        omega, momentum = AngularVelocity.evaluate(state, subject), AngularMomentum.evaluate(state, subject)
+        return 0.5 * np.einsum("ij,ij->i", omega, momentum)
+
+
+@quantity
+class PotentialEnergy(Energy):
+    """The gravitational potential energy of a body less that at the start, in a uniform field or near what is fixed."""
+
+    name, symbol = "potential energy", "U"
+    over = "the magnitude of the change in {body}'s gravitational potential energy"
+    how = "by how much does the gravitational potential energy of {body} change {when}?"
+    magnitude = f"{over} since the start"
+    weight = 0.02  # of one body it is seldom of use by itself
+    from_start = True
+    panel, pooled, order = "energy", True, 8
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """−m g·s, and −G m M/r of each body at rest that attracts it, less their values at the start, (n,)."""
+        rise = -(Displacement.evaluate(state, subject) @ np.array(state.mechanism.gravity))
+        total = state.mass(subject) * rise
+        for pull, other in _pulls(state.mechanism, subject):
+            total = total + _attracted(state, pull, subject, other)
+        return total
+
+    def present(self, mechanism: Mechanism, name: str) -> bool:
+        """What rises or falls has any, and what only bodies at rest attract; a pair that moves has it in common."""
+        if any(burn.body == name for burn in mechanism.burns):
+            return False
+        pulls = _pulls(mechanism, name)
+        alone = all(not center_path(mechanism, other).ways for _, other in pulls)
+        rises = mechanism.gravity != ZERO and center_path(mechanism, name).rises
+        return alone and (rises or bool(pulls))
+
+
+def _pulls(mechanism: Mechanism, name: str) -> list[tuple[Attraction, str]]:
+    """Return the attractions of a body, each with the other one."""
+    return [(p, p.b if p.a == name else p.a) for p in mechanism.attractions if name in (p.a, p.b)]
+
+
+def _attracted(state: State, pull: Attraction, name: str, other: str) -> Array:
+    """−G m M/((p − 1) rᵖ⁻¹) less its value at the start, (n,); of p = 1 the logarithm."""
+    apart = minus(state.frames.center(name).place, state.frames.center(other).place)
+    began = minus(state.began.center(name).place, state.began.center(other).place)
+    far, near = np.sqrt(product(apart, apart)), float(np.sqrt(product(began, began)))
+    strength = pull.constant * state.mass(name) * state.mass(other)
+    if pull.power == 1.0:
+        return strength * np.log(far / near)
+    power = pull.power - 1.0
+    return strength / power * (near**-power - far**-power)
+
+
+class PowerOfForce(Quantity):
+    """Base class of quantities that are the power of a force on a body, in W."""
+
+    unit, symbol = "W", "P"
+    of = Bodies()
+    drawn_by_recipes = False
+    floor, heavy = 0.1, True
+
+
+@quantity
+class NetPower(PowerOfForce):
+    """The power of the net force on a body."""
+
+    name = "power of the net force"
+    magnitude = "the magnitude of the power of the net force on {body}"
+    needs = ("mass",)
+    order = 20
+
+    def present(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the body is not welded to others."""
+        return not is_welded_part(mechanism, name)
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """F·v, (n,), in W, with the velocity of the centre of mass."""
+        return np.einsum("ij,ij->i", NetForce.evaluate(state, subject), Velocity.evaluate(state, subject))
+
+
+@quantity
+class GravityPower(PowerOfForce):
+    """The power of the weight of a body in a uniform field."""
+
+    name = "power of gravity"
+    magnitude = "the magnitude of the power of gravity on {body}"
+    needs = ("mass",)
+    order = 21
+
+    def present(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether there is a uniform field and the body rises or falls."""
+        return mechanism.gravity != ZERO and center_path(mechanism, name).rises
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """M g·v, (n,), in W."""
+        return state.mass(subject) * (Velocity.evaluate(state, subject) @ np.array(state.mechanism.gravity))
+
+
+@quantity
+class HandPower(PowerOfForce):
+    """The power of a hand that draws in a string with a constant force."""
+
+    name = "power of a hand"
+    of = Strings()
+    order = 23
+
+    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """Return the names of the strings that a hand draws in."""
+        return tuple(line.name for line in mechanism.pulls)
+
+    def present(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether a hand draws the string in."""
+        return name in self.subjects(mechanism)
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Force × the rate at which the string is drawn in, (n,), in W."""
+        law = state.mechanism.line[subject].law
+        assert isinstance(law, ConstantTension)
+        return -law.force * StringLengthRate.evaluate(state, subject)

@@ -1,0 +1,83 @@
+"""Quantities of rocket engines; used in structured questions only, never drawn by recipes."""
+
+import numpy as np
+
+from sim2reason.scenes.dsl.mechanism import Burn, Mechanism
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.simulation.quantities import Quantity, quantity
+from sim2reason.simulation.quantities.kinematics import Velocity
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
+
+
+class OfEngine(Quantity):
+    """Base class of quantities of a body that burns fuel."""
+
+    of = Bodies()
+    drawn_by_recipes = False
+    floor = 0.1
+
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the body has a single engine."""
+        return [burn.body for burn in mechanism.burns].count(name) == 1
+
+
+@quantity
+class Thrust(OfEngine):
+    """The thrust of the engine while it burns."""
+
+    name, unit, symbol = "thrust", "N", "F"
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Rate times exhaust speed, (n,); zero after burnout."""
+        burn = _burn(state.mechanism, subject)
+        return np.where(state.times < burn.until, burn.rate * burn.exhaust, 0.0)
+
+
+@quantity
+class ThrustPower(OfEngine):
+    """The power of the thrust: the thrust times the component of the velocity along it."""
+
+    name, unit, symbol = "power of the thrust", "W", "P"
+    magnitude = "the magnitude of the power of the thrust on {body}"
+    heavy, order = True, 22
+
+    def present(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the body has a single engine."""
+        return self.fits(mechanism, name)
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Return the power in W, (n,); zero after burnout."""
+        along = Velocity.evaluate(state, subject) @ np.array(_burn(state.mechanism, subject).direction)
+        return Thrust.evaluate(state, subject) * along
+
+
+@quantity
+class FuelBurnt(OfEngine):
+    """The mass of the fuel that has been burnt."""
+
+    name, unit, symbol = "fuel burnt", "kg", "m"
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Rate times the time so far, (n,)."""
+        burn = _burn(state.mechanism, subject)
+        return burn.rate * np.minimum(state.times, burn.until)
+
+
+@quantity
+class FuelLeft(OfEngine):
+    """The mass of the fuel that is left."""
+
+    name, unit, symbol = "fuel left", "kg", "m"
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Return the fuel at the start less the fuel burnt since then, in kg, (n,)."""
+        burn = _burn(state.mechanism, subject)
+        return burn.rate * burn.until - FuelBurnt.evaluate(state, subject)
+
+
+def _burn(mechanism: Mechanism, name: str) -> Burn:
+    return next(burn for burn in mechanism.burns if burn.body == name)

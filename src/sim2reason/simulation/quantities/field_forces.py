@@ -1,0 +1,132 @@
+"""Forces of fields and media."""
+
+from typing import ClassVar
+
+import numpy as np
+
+from sim2reason.scenes.dsl.fields import Central, Law, Magnetic, Push, Resistance
+from sim2reason.scenes.dsl.mechanism import Force, Mechanism
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.vectors import Number, Triple
+from sim2reason.simulation.quantities import Quantity, quantity
+from sim2reason.simulation.quantities.subjects.bodies import Bodies
+
+FAR = (1e3, 1e3, 1e3)  # m; anywhere but at a charge
+
+
+@quantity
+class ElectricPotentialEnergy(Quantity):
+    """The electric potential energy of a charge less that at the start, where the field has a potential."""
+
+    name, unit, symbol = "electric potential energy", "J", "U"
+    of = Bodies()
+    over = "the magnitude of the change in {body}'s electric potential energy"
+    how = "by how much does the electric potential energy of {body} change {when}?"
+    magnitude = f"{over} since the start"
+    from_start = True
+    needs = ("charge",)
+    weight = 0.3
+    floor, heavy = 0.1, True
+    panel, pooled, order = "energy", True, 9
+
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether electric forces act on the body, and all of them have a potential everywhere."""
+        return self.present(mechanism, name)
+
+    def present(self, mechanism: Mechanism, name: str) -> bool:
+        """Whether all such forces on it are static, without curl, and in no region, whose border would have one."""
+        forces = _electric(mechanism, name)
+        return bool(forces) and all(f.region is None and f.law.potential(FAR, np) is not None for f in forces)
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Σ q(φ − φ₀), (n,); a magnetic field does no work."""
+        now, began = state.frames.center(subject).place, state.began.center(subject).place
+        total = np.zeros(len(state.times))
+        for force in _electric(state.mechanism, subject):
+            total = total + _potential(force, now) - _potential(force, began)
+        return total
+
+
+def _potential(force: Force, place: Triple) -> Number:
+    """Return the potential energy, J; only of what is `present`."""
+    found: Number = force.law.potential(place, np)
+    assert found is not None
+    return found
+
+
+def _electric(mechanism: Mechanism, name: str) -> list[Force]:
+    """Return the forces on a body that a charge at rest would feel, too."""
+    return [force for force in mechanism.forces if force.body == name and isinstance(force.law, Push | Central)]
+
+
+class FieldForce(Quantity):
+    """Base class of the sums of all forces of one kind on a body; used in structured questions only, and never drawn.
+
+    Class data:
+        law: the class of the laws of these forces.
+    """
+
+    law: ClassVar[type[Law]]
+    unit, symbol = "N", "F"
+    of, vector = Bodies(), True
+    drawn_by_recipes = False
+    floor, heavy = 0.1, True
+
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether there are such forces on the body, and none that acts in a region alone."""
+        forces = acting(mechanism, name, self.law)
+        return bool(forces) and all(force.region is None for force in forces)
+
+
+def acting(mechanism: Mechanism, name: str, law: type[Law]) -> list[Force]:
+    """Return the forces on a body whose laws are of a class."""
+    return [force for force in mechanism.forces if force.body == name and isinstance(force.law, law)]
+
+
+def _total(state: State, subject: str, law: type[Law]) -> Array:
+    """Return the sum of the forces of a kind on a body, in N, (n, 3)."""
+    center = state.frames.center(subject)
+    total = np.zeros((len(state.times), 3))
+    for force in acting(state.mechanism, subject, law):
+        total = total + state.vector(force.law.force(center.place, center.velocity, state.times, np))
+    return total
+
+
+@quantity
+class ElectricForce(FieldForce):
+    """The force of the electric fields on a body."""
+
+    name = "electric force"
+    law = Push
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Return q E in N, (n, 3)."""
+        return _total(state, subject, Push)
+
+
+@quantity
+class MagneticForce(FieldForce):
+    """The force of the magnetic fields on a body."""
+
+    name = "magnetic force"
+    law = Magnetic
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Return q v × B in N, (n, 3)."""
+        return _total(state, subject, Magnetic)
+
+
+@quantity
+class ResistingForce(FieldForce):
+    """The force with which a medium resists the motion of a body."""
+
+    name = "resisting force"
+    law = Resistance
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Return the force of the medium in N, (n, 3), which is opposite to the velocity."""
+        return _total(state, subject, Resistance)

@@ -1,0 +1,309 @@
+"""Forces of contacts, strings, rods and supports."""
+
+from collections.abc import Collection
+
+import numpy as np
+
+from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.vectors import minus, product
+from sim2reason.simulation.quantities import Quantity, quantity
+from sim2reason.simulation.quantities.kinematics import Acceleration
+from sim2reason.simulation.quantities.momentum import NetForce
+from sim2reason.simulation.quantities.subjects import Sense, all_said
+from sim2reason.simulation.quantities.subjects.axles import DIRECTIONS, Axles, Pulleys, held_by_axle_alone
+from sim2reason.simulation.quantities.subjects.bodies import VERTICAL, Bodies, HungBodies, TurningBodies
+from sim2reason.simulation.quantities.subjects.contacts import Contacts
+from sim2reason.simulation.quantities.subjects.lines import Strings
+from sim2reason.simulation.quantities.subjects.paths import EVEN, carried_by, chain, upright
+from sim2reason.simulation.quantities.subjects.rods import Rods, pointer
+
+
+class SupportForce(Quantity):
+    """Base class of forces between a support, such as an axle, and what it holds."""
+
+    unit, symbol = "N", "F"
+    vector = True
+    drawn_by_recipes = False
+    needs = ("mass",)
+    floor, heavy = 0.1, True
+
+
+@quantity
+class PulleyForce(SupportForce):
+    """The resultant force on a pulley of the strings that run over it; the axle of a massless pulley bears it."""
+
+    name = "force on a pulley"
+    of = Pulleys()
+    needs = ("mass", DIRECTIONS)
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Return Σ T along each part of a string that leaves the rim, in N, (n, 3)."""
+        total = np.zeros((len(state.times), 3))
+        for line in state.mechanism.lines:
+            for one, other in zip(line.through, line.through[1:], strict=False):
+                for rim, end in ((one, other), (other, one)):
+                    if rim.rpartition(".")[0] == subject and end.rpartition(".")[0] != subject:
+                        part = minus(state.frames.site(end).place, state.frames.site(rim).place)
+                        length = np.broadcast_to(np.sqrt(product(part, part)), state.times.shape)
+                        length = np.where(length > 0.0, length, np.nan)  # what has no length has no direction
+                        total = total + (state.tension[line.name] / length)[:, None] * state.vector(part)
+        return total
+
+
+class AxleLoads(TurningBodies):
+    """Every body that a hinge turns, for the force on its axle, to which all that turns about the axle adds."""
+
+    def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
+        """Return whether the text gives it for every body that has it, since each may load the axle."""
+        del name
+        return all_said(need, mechanism, said)
+
+
+@quantity
+class ForceOnAxle(SupportForce):
+    """The force that a body on a fixed axle exerts on the axle, where only the axle and gravity act on the body."""
+
+    name = "force on the axle"
+    of = AxleLoads()
+
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the body is, or is part of, what turns about a fixed axle and is held by the axle alone."""
+        return held_by_axle_alone(mechanism, name)
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Return Σ m (g − a) of all bodies that turn together, in N, (n, 3)."""
+        total = np.zeros((len(state.times), 3))
+        for body in carried_by(state.mechanism, chain(state.mechanism, subject)[-1].name):
+            if body.mass:
+                total = total + body.mass * (
+                    np.array(state.mechanism.gravity) - Acceleration.evaluate(state, body.name)
+                )
+        return total
+
+
+@quantity
+class GuideForce(SupportForce):
+    """The horizontal force, in N, that a smooth vertical guide on an accelerating box exerts on the body in it."""
+
+    name, symbol = "force of the guide", "N"
+    of = Bodies()
+
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the body slides in a vertical guide that is mounted on a body on a level floor."""
+        return _guided(mechanism, name)
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Return the horizontal part of m a in N, (n, 3); the other forces, a string's and gravity, are vertical."""
+        return NetForce.evaluate(state, subject) * np.array((1.0, 1.0, 0.0))
+
+
+def _guided(mechanism: Mechanism, name: str) -> bool:
+    """Return whether a body slides vertically along another one that slides horizontally, without lying on it."""
+    body = mechanism.body[name]
+    carrier = mechanism.body[body.parent] if body.parent is not None else None
+    if carrier is None or name in mechanism.contacts:
+        return False
+    own, held = body.coordinates, carrier.coordinates
+    slides = [c.kind for c in own] == ["slide"] and [c.kind for c in held] == ["slide"]
+    return slides and upright(own[0].axis) and abs(held[0].axis[2]) <= EVEN
+
+
+FORCE = "force that the axle exerts on {body}"
+
+
+@quantity
+class AxleForce(Quantity):
+    """The force that a fixed axle exerts on the body that turns about it."""
+
+    name, unit, symbol = "axle force", "N", "F"
+    of, vector = Axles(), True
+    magnitude = f"the magnitude of the {FORCE}"
+    signed = f"the {{component}}{FORCE}"
+    how = "how large a force does the axle exert on {body} {when}?"
+    needs = ("mass",)
+    immediate = True
+    weight = 3.0
+    floor, heavy = 0.1, True
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Return Σ m (a − g) of all bodies that turn together, in N, (n, 3)."""
+        return -ForceOnAxle.evaluate(state, subject)
+
+    def signed_along(self, sense: Sense, mechanism: Mechanism, name: str) -> str:
+        """Return *the upward component* or *the rightward component*, so that the phrase fixes the sign."""
+        del mechanism, name
+        way = "upward" if sense.axis == VERTICAL else "rightward"
+        return f"the {way} component of the {FORCE}"
+
+
+@quantity
+class NormalForce(Quantity):
+    """The force along the contact's normal on the body that rests."""
+
+    name, unit, symbol = "normal force", "N", "N"
+    of = Contacts()
+    magnitude = "the magnitude of the normal force exerted on {body} by {surface}"
+    needs = ("mass",)
+    immediate = True
+    floor, heavy = 0.1, True
+    panel, order = "normal force", 0
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Never negative but on faces that hold both ways, (n,)."""
+        return state.normal[subject]
+
+
+@quantity
+class FrictionForce(Quantity):
+    """The force on the body that rests along the direction in which it slips, with sign."""
+
+    name, unit, symbol = "friction force", "N", "f"
+    of = Contacts()
+    magnitude = "the magnitude of the friction force exerted on {body} by {surface}"
+    needs = ("mass",)
+    immediate = True
+    weight = 8.0  # where a face is rough, it should be asked about as often as a velocity
+    floor, heavy = 0.1, True
+    order = 1
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Static or kinetic, (n,)."""
+        return state.friction[subject]
+
+    def present(self, mechanism: Mechanism, name: str) -> bool:
+        """Only a rough face has any."""
+        return mechanism.contacts[name].friction > 0.0
+
+
+@quantity
+class FrictionNeeded(Quantity):
+    """The least coefficient of static friction that prevents slipping: the friction force over the normal force.
+
+    It is used in structured questions only, and never drawn by recipes.
+    """
+
+    name, unit, symbol = "coefficient of friction needed", "", "μ"
+    of = Contacts()
+    drawn_by_recipes = False
+    floor = 0.1
+
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the face is rough."""
+        return mechanism.contacts[name].friction > 0.0
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Return |f| / |N|, (n,); zero without friction, infinite where friction acts without a normal force."""
+        pressed = np.abs(state.normal[subject])
+        ratio = np.divide(
+            np.abs(state.friction[subject]), pressed, out=np.full(pressed.shape, np.inf), where=pressed > 0
+        )
+        return np.where(state.friction[subject] == 0.0, 0.0, ratio)
+
+
+@quantity
+class RodForce(Quantity):
+    """The force in a light rod, positive where it pulls."""
+
+    name, unit, symbol = "rod force", "N", "T"
+    of = Rods()
+    magnitude = "the magnitude of the force in {rod}"
+    needs = ("mass",)
+    immediate = True
+    weight = 2.0
+    floor, heavy = 0.1, True
+    panel, order = "tension", 0
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Return a multiplier, or of a rod on a hinge what all that it holds needs: Σ m (g − a) along it; (n,)."""
+        if subject in state.mechanism.line:
+            return state.tension[subject]
+        (top, start), (bottom, end) = pointer(state.mechanism, subject)
+        arm = minus(state.frames[bottom].point(end).place, state.frames[top].point(start).place)
+        length = np.sqrt(product(arm, arm))
+        along = state.vector(arm) / np.broadcast_to(length, state.times.shape)[:, None]
+        total = np.zeros((len(state.times), 3))
+        for body in carried_by(state.mechanism, subject):
+            if body.mass:
+                total = total + body.mass * (
+                    np.array(state.mechanism.gravity) - Acceleration.evaluate(state, body.name)
+                )
+        return np.einsum("ij,ij->i", total, along)
+
+
+@quantity
+class RodPull(Quantity):
+    """The force in a light rod that holds a small body on a moving axle; in structured questions only, never drawn."""
+
+    name, unit, symbol = "rod pull", "N", "T"
+    of = HungBodies()
+    drawn_by_recipes = False
+    needs = ("mass",)
+    floor, heavy = 0.1, True
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """M (g − a) along the rod, (n,): positive where the rod pulls."""
+        arm = minus(state.frames.center(subject).place, state.frames[subject].point(ZERO).place)
+        along = state.vector(arm) / np.broadcast_to(np.sqrt(product(arm, arm)), state.times.shape)[:, None]
+        force = np.array(state.mechanism.gravity) - Acceleration.evaluate(state, subject)
+        return state.mechanism.body[subject].mass * np.einsum("ij,ij->i", force, along)
+
+
+@quantity
+class StringLength(Quantity):
+    """The change since the start of the length of the free part, site to site.
+
+    What a massive pulley winds on or off changes it. A slack string counts as the shortest line.
+    """
+
+    name, unit, symbol = "length", "m", "l"
+    of = Strings()
+    floor = 0.1
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Δl, (n,)."""
+        line = state.mechanism.line[subject]
+        return state.length(line)[0] - state.began.length(line)
+
+
+@quantity
+class StringLengthRate(Quantity):
+    """The rate at which the free part grows."""
+
+    name, unit, symbol = "rate of change of length", "m/s", "u"
+    of = Strings()
+    floor, least = 0.1, 1e-2
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """dl/dt, (n,)."""
+        return state.length(state.mechanism.line[subject])[1]
+
+
+@quantity
+class Tension(Quantity):
+    """The tension of a string: 0 where it is slack, NaN where the mechanism does not determine it."""
+
+    name, unit, symbol = "tension", "N", "T"
+    of = Strings()
+    magnitude = "the tension in {string}"
+    needs = ("mass",)
+    immediate = True
+    weight = 3.0
+    floor, heavy = 0.1, True
+    panel, order = "tension", 0
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """T ≥ 0, (n,)."""
+        return state.tension[subject]

@@ -1,0 +1,77 @@
+"""The shape of the orbit of a body about a fixed one: used in structured questions only, and never drawn."""
+
+import numpy as np
+
+from sim2reason.scenes.dsl.mechanism import Attraction, Mechanism
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.simulation.quantities import Quantity, quantity
+from sim2reason.simulation.quantities.kinematics import Velocity
+from sim2reason.simulation.quantities.subjects.bodies import moves
+from sim2reason.simulation.quantities.subjects.pairs import AND, Pairs
+
+
+class OrbitShape(Quantity):
+    """Base class of quantities of a Kepler orbit of a body about a fixed one."""
+
+    of = Pairs()
+    drawn_by_recipes = False
+    floor = 0.1
+
+    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """Return the names of pairs of which one body alone moves, drawn by the other alone."""
+        return tuple(AND.join((pull.a, pull.b)) for pull in mechanism.attractions if _alone(mechanism, pull))
+
+
+@quantity
+class Eccentricity(OrbitShape):
+    """The eccentricity of the orbit."""
+
+    name, unit, symbol = "eccentricity", "", "e"
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """|v × (r × v) / μ − r / |r||, (n,)."""
+        place, velocity, strength = _relative(state, subject)
+        turning = np.cross(velocity, np.cross(place, velocity)) / strength
+        return np.linalg.norm(turning - place / np.linalg.norm(place, axis=1)[:, None], axis=1)
+
+
+@quantity
+class SemiMajorAxis(OrbitShape):
+    """The semi-major axis of the orbit; that of a hyperbola is negative."""
+
+    name, unit, symbol = "semi-major axis", "m", "a"
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """1 / (2 / r − v² / μ), m, (n,)."""
+        place, velocity, strength = _relative(state, subject)
+        return 1.0 / (2.0 / np.linalg.norm(place, axis=1) - np.sum(velocity**2, axis=1) / strength)
+
+
+@quantity
+class CircularSpeed(OrbitShape):
+    """The speed with which the body would go round in a circle at its present distance."""
+
+    name, unit, symbol = "circular speed", "m/s", "v"
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """√(μ / r), m/s, (n,)."""
+        place, _, strength = _relative(state, subject)
+        return np.sqrt(strength / np.linalg.norm(place, axis=1))
+
+
+def _alone(mechanism: Mechanism, pull: Attraction) -> bool:
+    moving = [name for name in (pull.a, pull.b) if moves(mechanism, name)]
+    others = [other for other in mechanism.attractions if moving and moving[0] in (other.a, other.b)]
+    return len(moving) == 1 and others == [pull] and pull.power == 2.0 and not mechanism.forces
+
+
+def _relative(state: State, subject: str) -> tuple[Array, Array, float]:
+    """Return the place and velocity of the moving body from the fixed one, (n, 3), and G M."""
+    mechanism = state.mechanism
+    pull = next(pull for pull in mechanism.attractions if AND.join((pull.a, pull.b)) == subject)
+    planet, star = (pull.a, pull.b) if moves(mechanism, pull.a) else (pull.b, pull.a)
+    apart = state.vector(state.frames.center(planet).place) - state.vector(state.frames.center(star).place)
+    return apart, Velocity.evaluate(state, planet), pull.constant * mechanism.body[star].mass

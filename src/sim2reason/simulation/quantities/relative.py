@@ -1,0 +1,226 @@
+"""Quantities of one body relative to another, and directions of velocities."""
+
+from itertools import permutations
+from math import degrees
+
+import numpy as np
+
+from sim2reason.scenes.dsl.fields import Magnetic
+from sim2reason.scenes.dsl.mechanism import ZERO, Mechanism
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.vectors import minus, product, unit
+from sim2reason.simulation.quantities import Quantity, quantity
+from sim2reason.simulation.quantities.kinematics import CurvatureRadius, Velocity
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, moves, moves_in_plane
+from sim2reason.simulation.quantities.subjects.pairs import AND, Pairs, RelativeBodies, members
+from sim2reason.simulation.quantities.subjects.paths import center_path, rides
+
+
+@quantity
+class DistanceBetween(Quantity):
+    """The distance of two centres of mass."""
+
+    name, unit, symbol = "distance", "m", "d"
+    of = Pairs()
+    magnitude = "the distance between {pair}"
+    how = "how far apart are {pair} {when}?"
+    indirect = "how far apart {pair} are"
+    given = center = True
+    floor = 0.1
+    panel, order = "distance", 0
+
+    def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """Return the names of the pairs, and of any other two bodies that move freely in a plane, in either order."""
+        free = [body.name for body in mechanism.bodies if moves_in_plane(mechanism, body.name)]
+        return tuple(dict.fromkeys((*self.of.names(mechanism), *(AND.join(two) for two in permutations(free, 2)))))
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """|r − r′|, (n,)."""
+        a, b = members(subject)
+        apart = minus(state.frames.center(a).place, state.frames.center(b).place)
+        return np.sqrt(product(apart, apart)) + 0.0 * state.times
+
+
+@quantity
+class RelativeSpeed(Quantity):
+    """The speed of two bodies relative to each other."""
+
+    name, unit, symbol = "relative speed", "m/s", "w"
+    of = Pairs()
+    magnitude = "the relative speed of {pair}"
+    given = True
+    weight = 0.6
+    floor, least = 0.1, 1e-2
+    order = 1
+
+    def present(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether both move: else it is the speed of the one that does."""
+        return all(moves(mechanism, body) for body in members(name))
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """|v − v′|, (n,)."""
+        a, b = members(subject)
+        return np.linalg.norm(Velocity.evaluate(state, a) - Velocity.evaluate(state, b), axis=1)
+
+
+@quantity
+class RelativeVelocity(Quantity):
+    """The velocity of the centre of mass of one body relative to that of another; never drawn."""
+
+    name, unit, symbol = "relative velocity", "m/s", "u"
+    of, vector = RelativeBodies(), True
+    given = True
+    drawn_by_recipes = False
+    floor, least = 0.1, 1e-2
+    order = 2
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Return v − v′ in m/s, (n, 3)."""
+        a, b = members(subject)
+        return Velocity.evaluate(state, a) - Velocity.evaluate(state, b)
+
+
+class OfRider(Quantity):
+    """Base class of quantities of a body that slides along one line on a body that moves without turning."""
+
+    of = Bodies()
+    drawn_by_recipes = False
+    floor = 0.1
+
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the body slides along one line on a body that moves without turning."""
+        return rides(mechanism, name) and _slides(mechanism, name)
+
+
+@quantity
+class RiderDisplacement(OfRider):
+    """The displacement of a body relative to the body that carries it."""
+
+    name, unit, symbol = "displacement relative to its carrier", "m", "s"
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Return q in m, which is zero at the start, (n,)."""
+        return _own(state.q, state, subject)
+
+
+@quantity
+class RiderVelocity(OfRider):
+    """The velocity of a body relative to the body that carries it."""
+
+    name, unit, symbol = "speed relative to its carrier", "m/s", "v"
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Return q̇ in m/s, (n,)."""
+        return _own(state.v, state, subject)
+
+
+@quantity
+class RiderAcceleration(OfRider):
+    """The acceleration of a body relative to the body that carries it."""
+
+    name, unit, symbol = "acceleration relative to its carrier", "m/s^2", "a"
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Return q̈ in m/s², (n,)."""
+        return _own(state.a, state, subject)
+
+
+def _own(values: Array, state: State, name: str) -> Array:
+    """Return the column of a body's only coordinate, (n,), in the values of all coordinates, (n, coordinates)."""
+    mechanism = state.mechanism
+    return np.asarray(values[:, mechanism.number[mechanism.body[name].coordinates[0].name]])
+
+
+def _slides(mechanism: Mechanism, name: str) -> bool:
+    carrier = mechanism.body[name].parent
+    kinds = [c.kind for part in (name, carrier) if part is not None for c in mechanism.body[part].coordinates]
+    return [c.kind for c in mechanism.body[name].coordinates] == ["slide"] and set(kinds) == {"slide"}
+
+
+class OfFreeBody(Quantity):
+    """Base class of quantities of the path of a body that moves freely in a plane."""
+
+    of = Bodies()
+    drawn_by_recipes = False
+
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the body moves freely in a plane."""
+        return moves_in_plane(mechanism, name)
+
+
+@quantity
+class SlopeOfVelocity(OfFreeBody):
+    """The angle of a projectile's velocity with the horizontal."""
+
+    name, unit, symbol = "angle with the horizontal", "deg", "β"
+    floor = 1.0
+
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the body moves freely in a vertical plane under uniform gravity."""
+        return super().fits(mechanism, name) and mechanism.gravity != ZERO and _upright(mechanism, name)
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """From 0 to 90 degrees, up or down, (n,); 0 at rest."""
+        velocity = Velocity.evaluate(state, subject)
+        up = -np.array(unit(state.mechanism.gravity))
+        rising = velocity @ up
+        across = np.linalg.norm(velocity - rising[:, None] * up, axis=1)
+        return degrees(1.0) * np.arctan2(np.abs(rising), across)
+
+
+@quantity
+class TurnOfVelocity(OfFreeBody):
+    """The angle between the velocity of a body and its initial velocity."""
+
+    name, unit, symbol = "angle of deflection", "deg", "δ"
+    floor = 1.0
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """From 0 to 180 degrees, (n,); 0 for a body that is at rest at the start."""
+        velocity = Velocity.evaluate(state, subject)
+        own = state.mechanism.body[subject].coordinates
+        began = np.sum([coordinate.speed * np.array(coordinate.axis) for coordinate in own], axis=0)
+        across = np.linalg.norm(np.cross(began, velocity), axis=1)
+        return degrees(1.0) * np.arctan2(across, velocity @ began)
+
+
+@quantity
+class RadiusOfPath(OfFreeBody):
+    """The radius of the circle on which a magnetic field alone keeps a body."""
+
+    name, unit, symbol = "radius of the path", "m", "r"
+    floor = 0.1
+
+    def fits(self, mechanism: Mechanism, name: str) -> bool:
+        """Return whether the body moves freely in a plane, and uniform magnetic fields alone act on it."""
+        return super().fits(mechanism, name) and _circles(mechanism, name)
+
+    @staticmethod
+    def evaluate(state: State, subject: str) -> Array:
+        """Return the radius of curvature in m, (n,), which is the same everywhere on a circle."""
+        return CurvatureRadius.evaluate(state, subject)
+
+
+def _circles(mechanism: Mechanism, name: str) -> bool:
+    acting = [force for force in mechanism.forces if force.body == name]
+    falls = mechanism.gravity != ZERO and center_path(mechanism, name).rises
+    pulled = any(name in (pull.a, pull.b) for pull in mechanism.attractions) or mechanism.lines or mechanism.faces
+    uniform = (
+        force.region is None and isinstance(force.law, Magnetic) and force.law.profile.uniform for force in acting
+    )
+    return bool(acting) and all(uniform) and not falls and not pulled
+
+
+def _upright(mechanism: Mechanism, name: str) -> bool:
+    """Return whether one of the axes is vertical."""
+    return center_path(mechanism, name).rises and any(
+        abs(coordinate.axis[2]) > 1.0 - 1e-9 for coordinate in mechanism.body[name].coordinates
+    )

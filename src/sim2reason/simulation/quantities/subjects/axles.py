@@ -1,0 +1,103 @@
+"""Axles and pulleys."""
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+from math import hypot
+
+from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.vectors import Vector, minus
+from sim2reason.simulation.quantities.subjects import Sense, Subject, all_said
+from sim2reason.simulation.quantities.subjects.bodies import HORIZONTAL, RIGHT, SELDOM, UP, VERTICAL
+from sim2reason.simulation.quantities.subjects.paths import EVEN, carried_by, chain, rim_of
+from sim2reason.simulation.quantities.subjects.rods import Rods
+
+ACROSS: Vector = (1.0, 0.0, 0.0)
+UPWARD: Vector = (0.0, 0.0, 1.0)
+
+
+@dataclass(frozen=True)
+class Axles(Subject):
+    """Bodies that turn about a fixed axle and are held by that axle alone, as subjects.
+
+    A light rod with its load at one point is none of them: the force in the rod is that of the axle.
+    """
+
+    name, slot = "axle", "body"
+
+    def names(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """Return the names of the bodies on whose hinges all turns that they carry."""
+        rods = Rods().names(mechanism)
+        hinged = [body.name for body in mechanism.bodies if body.coordinates and body.name not in rods]
+        return tuple(name for name in hinged if held_by_axle_alone(mechanism, name))
+
+    def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
+        """Return the phrases of the bodies that the text mentions."""
+        return {name: mentions[name] for name in self.names(mechanism) if name in mentions}
+
+    def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
+        """Return whether the text gives it for every body that has it, since each may load the axle."""
+        del name
+        return all_said(need, mechanism, said)
+
+    def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
+        """Return up, and right where the axle is level and points away from the reader of the text."""
+        up = Sense(UP, UPWARD, VERTICAL, fixed=True, share=SELDOM)
+        right = Sense(RIGHT, ACROSS, HORIZONTAL, fixed=True, share=SELDOM)
+        return [up, right] if abs(mechanism.body[name].coordinates[0].axis[1]) > 1.0 - EVEN else [up]
+
+
+def held_by_axle_alone(mechanism: Mechanism, name: str) -> bool:
+    """Return whether a body, with all bodies joined to it, turns about one fixed axle and touches nothing else."""
+    if [c.kind for body in chain(mechanism, name) for c in body.coordinates] != ["hinge"]:
+        return False
+    together = carried_by(mechanism, chain(mechanism, name)[-1].name)
+    held = {body.name for body in together}
+    pulled = {mechanism.site[site].body for line in mechanism.lines for site in line.through}
+    acted = {force.body for force in mechanism.forces} | {burn.body for burn in mechanism.burns}
+    drawn = {each for pull in mechanism.attractions for each in (pull.a, pull.b)}
+    stands = {mechanism.site[foot.site].body for foot in mechanism.feet}
+    hinges = [c.name for body in together for c in body.coordinates]
+    wound = any(wheel.coordinate in hinges for line in mechanism.lines for wheel in line.wheels)
+    return len(hinges) == 1 and not wound and not held & (pulled | acted | drawn | stands | mechanism.contacts.keys())
+
+
+DIRECTIONS = "directions of the string's parts"
+"""Name of a fact about a pulley: the text fixes the angle between the parts of a string that leave the pulley."""
+
+
+@dataclass(frozen=True)
+class Pulleys(Subject):
+    """Pulleys as subjects, named by their addresses: fixed ones and those on bodies."""
+
+    name = slot = "pulley"
+
+    def names(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """Return the addresses of the pulleys over which a string runs, in the order of the strings."""
+        owners = dict.fromkeys(site.rpartition(".")[0] for line in mechanism.lines for site in line.through)
+        return tuple(owner for owner in owners if rim_of(mechanism, owner) is not None)
+
+    def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
+        """Return the phrases of the pulleys that the text mentions."""
+        return {name: mentions[name] for name in self.names(mechanism) if name in mentions}
+
+    def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
+        """Return whether the text gives it for every body that has it, since each may load the pulley."""
+        return directions_told(mechanism, name) if need == DIRECTIONS else all_said(need, mechanism, said)
+
+
+def directions_told(mechanism: Mechanism, name: str) -> bool:
+    """Return whether all slanting or level parts of strings that leave a pulley run to one and the same thing.
+
+    Nothing is said of the sides on which two separate planes lie, so the angle between parts along them is unknown.
+    """
+    frames, ends = start(mechanism), set[str]()
+    for line in mechanism.lines:
+        for one, other in zip(line.through, line.through[1:], strict=False):
+            for rim, end in ((one, other), (other, one)):
+                if rim.rpartition(".")[0] != name or end.rpartition(".")[0] == name:
+                    continue
+                part = minus(frames.site(end).place, frames.site(rim).place)
+                if hypot(float(part[0]), float(part[1])) > EVEN:
+                    ends.add(end.partition(".")[0])
+    return len(ends) <= 1

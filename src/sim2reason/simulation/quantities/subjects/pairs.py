@@ -1,0 +1,81 @@
+"""Pairs of bodies."""
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+from itertools import permutations
+
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.simulation.quantities.subjects import Sense, Subject
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, moves
+
+AND = " & "
+
+
+@dataclass(frozen=True)
+class Pairs(Subject):
+    """Pairs of bodies that can collide or attract each other, as subjects named ``a & b``."""
+
+    name = slot = "pair"
+
+    def names(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """Return all pairs of meetings, then those of attractions."""
+        met = [AND.join(meeting.names) for meeting in mechanism.meetings if len(meeting.names) == 2]
+        drawn = [AND.join((pull.a, pull.b)) for pull in mechanism.attractions]
+        return tuple(dict.fromkeys([*met, *drawn]))
+
+    def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
+        """Return the phrases for the moment, such as *pucks A and B*; only where both are named and one can move."""
+        found: dict[str, str] = {}
+        for name in self.names(mechanism):
+            a, b = members(name)
+            if a in mentions and b in mentions and (moves(mechanism, a) or moves(mechanism, b)):
+                found[name] = pair(mentions[a], mentions[b])
+        return found
+
+    def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
+        """Return whether the text gives the number `need`, such as the mass, of both bodies."""
+        return all(Bodies().gives(need, mechanism, body, said) for body in members(name))
+
+    def point(self, mechanism: Mechanism, name: str, phrase: str) -> str:
+        """Return the centres of what meets before they do."""
+        wide = any(AND.join(met.names) == name and met.distance > 0.0 for met in mechanism.meetings)
+        return f"the centres of {phrase}" if wide else phrase
+
+
+def members(name: str) -> tuple[str, str]:
+    """Return the two bodies of a pair."""
+    a, _, b = name.partition(AND)
+    return a, b
+
+
+def pair(one: str, other: str) -> str:
+    """Two bodies as one phrase: *pucks A and B*, *block A and wedge W*."""
+    noun, _, letter = one.rpartition(" ")
+    same, _, second = other.rpartition(" ")
+    return f"{noun}s {letter} and {second}" if noun == same and noun != "the" else f"{one} and {other}"
+
+
+@dataclass(frozen=True)
+class RelativeBodies(Subject):
+    """Ordered pairs of moving bodies as subjects named ``a & b``: the first relative to the second."""
+
+    name, slot = "body relative to another", "relative"
+
+    def names(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """Return all ordered pairs of bodies whose centres of mass move."""
+        moving = [name for name in mechanism.body if moves(mechanism, name)]
+        return tuple(AND.join(pair) for pair in permutations(moving, 2))
+
+    def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
+        """Return no phrases: only structured questions are about pairs; a sentence with two bodies is about each."""
+        del mechanism, mentions
+        return {}
+
+    def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
+        """Return whether the text gives the number `need`, such as the mass, of both bodies."""
+        return all(Bodies().gives(need, mechanism, body, said) for body in members(name))
+
+    def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
+        """Return the directions that both bodies have."""
+        one, other = (Bodies().senses(mechanism, body) for body in members(name))
+        return [sense for sense in one if sense in other]

@@ -1,0 +1,201 @@
+"""Rods, and lines that swing."""
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+from math import hypot
+from typing import NamedTuple
+
+from sim2reason.scenes.dsl.mechanism import ZERO, Line, Mechanism, Rigid, RigidBody
+from sim2reason.scenes.dsl.vectors import Vector, add, applied, inner, outer, scale
+from sim2reason.simulation.quantities.subjects import Sense, Subject, all_said
+from sim2reason.simulation.quantities.subjects.contacts import surface
+from sim2reason.simulation.quantities.subjects.lines import ends_label, line_phrases, springs, strings
+from sim2reason.simulation.quantities.subjects.paths import EVEN, at_start, carried_by, ways_of
+
+
+class Pointer(NamedTuple):
+    """Two points that a line joins, the upper one first, each as a body (None: the room) and a place in its frame."""
+
+    top: tuple[str | None, Vector]
+    bottom: tuple[str | None, Vector]
+
+
+@dataclass(frozen=True)
+class SwingingLines(Subject):
+    """Lines and bodies whose angle with the vertical changes, as subjects."""
+
+    name, slot = "swinging line", "line"
+
+    def names(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """Lines with two ends that bend, then bodies that hang from hinges of their own."""
+        if mechanism.gravity == ZERO:
+            return ()
+        lines = [line.name for line in mechanism.lines if line_pointer(mechanism, line) is not None]
+        return (*lines, *(b.name for b in mechanism.bodies if body_pointer(mechanism, b) is not None))
+
+    def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
+        """*The string*, *the rod*, *the line from the axle to the centre of mass of the disc*."""
+        known = {**springs(mechanism, mentions), **strings(mechanism, mentions), **mentions}
+        found: dict[str, str] = {}
+        for name in self.names(mechanism):
+            body = mechanism.body.get(name)
+            if body is not None and is_light_rod(body) and carries_on_both_sides(mechanism, name):
+                found[name] = "the line from the axle to the centre of mass of the bodies on the arm"
+            elif name in known and (body is None or is_light_rod(body) or _is_thin(mechanism, body)):
+                found[name] = known[name]
+            elif body is not None and name in mentions:
+                point = "the centre of mass of " if any(body.inertia) else ""
+                found[name] = f"the line from {_pivot(mechanism, name, mentions)} to {point}{mentions[name]}"
+        return found
+
+    def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
+        """Angles need nothing."""
+        del need, mechanism, name, said
+        return True
+
+
+def pointer(mechanism: Mechanism, name: str) -> Pointer:
+    """Return what a swinging line joins; ValueError for a name that is none."""
+    line, body = mechanism.line.get(name), mechanism.body.get(name)
+    found = line_pointer(mechanism, line) if line is not None else body and body_pointer(mechanism, body)
+    if not found:
+        raise ValueError(f"{name!r} does not swing")
+    return found
+
+
+def line_pointer(mechanism: Mechanism, line: Line) -> Pointer | None:
+    """A line of one straight piece that turns as its ends move; None for any other. It hangs from its quieter end."""
+    if len(line.through) != 2 or line.wheels:
+        return None
+    ends = [mechanism.site[name] for name in line.through]
+    places = [add(at_start(mechanism, end.body), end.at) for end in ends]
+    ways = [ways_of(mechanism, end.body, end.at) for end in ends]
+    apart = add(places[1], scale(-1.0, places[0]))
+    length = hypot(*apart)
+    if length <= EVEN or not any(_turns(ways, name, scale(1.0 / length, apart)) for name in {*ways[0], *ways[1]}):
+        return None
+    upper = min((0, 1), key=lambda i: (len(ways[i]), -places[i][2], i))
+    top, bottom = ends[upper], ends[1 - upper]
+    return Pointer((top.body, top.at), (bottom.body, bottom.at))
+
+
+def _turns(ways: list[dict[str, Vector]], name: str, direction: Vector) -> bool:
+    """Return whether a coordinate moves the two ends of a line across it, one relative to the other."""
+    apart = add(ways[1].get(name, ZERO), scale(-1.0, ways[0].get(name, ZERO)))
+    return hypot(*outer(direction, apart)) > EVEN
+
+
+def is_light_rod(body: RigidBody) -> bool:
+    """Return whether a body is a light rod: it has no mass, and turns about a hinge of its own alone."""
+    return body.mass == 0.0 and len(body.coordinates) == 1 and body.coordinates[0].kind == "hinge"
+
+
+def body_pointer(mechanism: Mechanism, body: RigidBody) -> Pointer | None:
+    """From the hinge of a body to its centre of mass, or of a light rod to that of what is fixed to it; else None."""
+    if len(body.coordinates) != 1 or body.coordinates[0].kind != "hinge":
+        return None
+    axis = body.coordinates[0].axis
+    center = body.center if body.mass > 0.0 else load_center(mechanism, body)
+    arm = add(center, scale(-inner(center, axis), axis))  # square to the axle
+    tilts = hypot(axis[0], axis[1]) > EVEN
+    return Pointer((body.name, ZERO), (body.name, arm)) if tilts and hypot(*arm) > EVEN else None
+
+
+def _is_thin(mechanism: Mechanism, body: RigidBody) -> bool:
+    """Whether all of a body lies on the line from its hinge to its centre of mass: it has no inertia about that."""
+    found, inertia = body_pointer(mechanism, body), max(map(abs, body.inertia))
+    if found is None or inertia == 0.0:
+        return False
+    arm = found.bottom[1]
+    return all(abs(part) <= EVEN * inertia * hypot(*arm) for part in applied(body.inertia, arm))
+
+
+def _pivot(mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> str:
+    """About what a body turns: its axle, or the centre of the round face on which it moves."""
+    face = mechanism.contacts.get(name)
+    if face is not None and face.turning:
+        return f"the centre of {surface(mechanism, name, mentions)}"
+    return "the axle"
+
+
+def carries_on_both_sides(mechanism: Mechanism, rod: str) -> bool:
+    """Return whether what is welded to a light rod is not all on one side of its axle."""
+    places = [body.at for body in welded_to(mechanism, rod)]
+    return any(inner(places[0], place) < 0.0 for place in places[1:])
+
+
+def welded_to(mechanism: Mechanism, rod: str) -> list[RigidBody]:
+    """Return what is fixed to a rod and has a mass."""
+    carried = carried_by(mechanism, rod)
+    return [body for body in carried if body.parent == rod and body.mass > 0.0 and not body.coordinates]
+
+
+def load_center(mechanism: Mechanism, rod: RigidBody) -> Vector:
+    """Return the centre of mass of what is fixed to a light rod, or else of where things hang from it, in its frame."""
+    heavy = [(b.mass, add(b.at, b.center)) for b in welded_to(mechanism, rod.name)]
+    loads = heavy or [(1.0, b.at) for b in carried_by(mechanism, rod.name) if b.parent == rod.name]
+    total = sum(mass for mass, _ in loads)
+    return scale(1.0 / total, add(*(scale(mass, place) for mass, place in loads))) if loads else ZERO
+
+
+@dataclass(frozen=True)
+class Rods(Subject):
+    """Light rods as subjects: between two sites, or on a hinge with the bodies at the other end."""
+
+    name = slot = "rod"
+
+    def names(self, mechanism: Mechanism) -> tuple[str, ...]:
+        """Lines that are rods, then bodies that are."""
+        lines = (line.name for line in mechanism.lines if isinstance(line.law, Rigid))
+        return (*lines, *(body.name for body in mechanism.bodies if _pulls_alone(mechanism, body)))
+
+    def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
+        """Return those with a name of their own, or that can be told by their ends."""
+        rigid = [line for line in mechanism.lines if isinstance(line.law, Rigid)]
+        bodies = {name: mentions[name] for name in self.names(mechanism) if name in mentions}
+        return line_phrases(mechanism, mentions, rigid, "rod", alone=not bodies) | bodies
+
+    def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
+        """Return whether the text gives the need of every body: the force in a rod depends on all of them."""
+        del name
+        return all_said(need, mechanism, said)
+
+    def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
+        """Return a pull."""
+        del mechanism, name
+        return [Sense("tension", (0.0, 0.0, 0.0))]
+
+    def label(self, phrase: str) -> str:
+        """Return its name, or its ends."""
+        return ends_label(phrase)
+
+
+def _pulls_alone(mechanism: Mechanism, body: RigidBody) -> bool:
+    """Return whether a body is a light rod on a hinge, and nothing else than it and weight acts on what it holds."""
+    if not is_light_rod(body) or body_pointer(mechanism, body) is None:
+        return False
+    held = {each.name for each in carried_by(mechanism, body.name)}
+    pulled = {mechanism.site[site].body for line in mechanism.lines for site in line.through}
+    acted = {force.body for force in mechanism.forces} | {burn.body for burn in mechanism.burns}
+    drawn = {name for pull in mechanism.attractions for name in (pull.a, pull.b)}
+    stands = {mechanism.site[foot.site].body for foot in mechanism.feet}
+    return not held & (pulled | acted | drawn | stands | mechanism.contacts.keys()) and _at_its_end(mechanism, body)
+
+
+def _at_its_end(mechanism: Mechanism, rod: RigidBody) -> bool:
+    """Whether all that a light rod holds is joined to it at one point: small bodies, and hinges of what hangs there."""
+    fixed: dict[str | None, Vector] = {
+        rod.name: ZERO
+    }  # where the frames of what can't move on the rod stand in its own
+    places: set[tuple[float, ...]] = set()
+    for body in mechanism.bodies:
+        if body.parent not in fixed:
+            continue
+        at = add(fixed[body.parent], body.at)
+        if not body.coordinates:
+            fixed[body.name] = at
+            at = add(at, body.center)
+        if any(c.kind == "slide" for c in body.coordinates) or (not body.coordinates and any(body.inertia)):
+            return False
+        places.add(tuple(round(part, 9) for part in at))
+    return len(places) == 1

@@ -1,0 +1,254 @@
+"""When two readings are one: the same motions of the same named bodies, whatever entities they are made of.
+
+Motions follow from masses, from the forces that are given, and from how bodies, lines and faces depend on the
+coordinates. Coordinates themselves are a matter of taste, so they are eliminated: with rows r, each the gradient of
+something that has a meaning (a body's place, a string's length, the rise of a body from its face), and the kinetic
+energy K of unit masses added to all bodies, the products r·K⁻¹·s do not depend on the choice of coordinates, nor on
+hidden lengths, nor on where in the room a part of the scene stands. They are compared together with the labels of the
+rows, up to the order of those that have no name in the text.
+
+Where gradients change, they are compared at several places on the way, together with what changes beside them: how
+paths bend, how springs pull and fields push.
+"""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from itertools import chain, pairwise
+from math import dist
+
+import numpy as np
+
+from sim2reason.scenes.dsl.constancy import changing
+from sim2reason.scenes.dsl.frames import Frames, Point
+from sim2reason.scenes.dsl.mechanism import ZERO, Elastic, Foot, Force, Line, Mechanism, Meeting, RigidBody, X, Y, Z
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.state import Array
+from sim2reason.scenes.dsl.vectors import Tensor, applied, minus, product
+
+Label = tuple[object, ...]
+Signature = tuple[object, ...]
+FLAT = 1e-9  # √kg; less motion of all bodies per rate of a coordinate is none
+ROUNDS = 3  # of refining labels by their neighbours
+STAGES = (0.0, 0.37, -0.23)  # at which changing mechanisms are compared: m, rad or s from the start
+
+
+def signature(scene: Scene, names: Mapping[str, str]) -> Signature:
+    """Return what two scenes have in common if they mean the same; `names` is what bodies are called, by address."""
+    mechanism = scene.mechanism
+    bending = bool(changing(mechanism))
+    stages = STAGES if bending else STAGES[:1]
+    compared = (_compared(_Rows(mechanism, names, stage, bending=bending)) for stage in stages)
+    return (mechanism.gravity, mechanism.units.name, *compared)
+
+
+def _compared(rows: "_Rows") -> tuple[object, ...]:
+    """Return all rows at one stage, and what has no row."""
+    mechanism = rows.mechanism
+    for body in mechanism.bodies:
+        rows.body(body)
+    for line in mechanism.lines:
+        rows.line(line)
+    for number, face in enumerate(mechanism.faces):
+        rows.rise(("face", _rounded(face.friction), _rounded(face.static_ratio), face.guided, face.turning), number)
+    for foot in mechanism.feet:
+        rows.foot(foot)
+    loads = sorted([*map(rows.hit, mechanism.meetings), *map(rows.push, mechanism.forces), *rows.pairs()], key=repr)
+    return (tuple(loads), rows.refined())
+
+
+class _Rows:
+    """Rows with labels over all coordinates and all rises."""
+
+    def __init__(self, mechanism: Mechanism, names: Mapping[str, str], stage: float, *, bending: bool) -> None:
+        self.mechanism, self._names, self._stage = mechanism, names, stage
+        self._n = len(mechanism.coordinates)
+        self._frames = self._going([coordinate.speed for coordinate in mechanism.coordinates])
+        self._width = self._n + len(mechanism.faces)
+        self._labels: list[Label] = []
+        self._rows: list[Array] = []
+        self._bends = self._curvature() if bending else {}
+
+    def _going(self, speeds: Sequence[float]) -> Frames:
+        return Frames(self.mechanism, [self._stage] * self._n, speeds, math)
+
+    def _curvature(self) -> dict[str, Array]:
+        """Return how far the path of each body is from straight, by its name: 1/m times the root of a mass.
+
+        It is the mean curvature of the surface on which all bodies can be, in the metric of their masses: the part of
+        the accelerations at q̈ = 0 that no q̈ makes up for, summed over rates that are orthonormal there.
+        """
+        bodies = self.mechanism.bodies
+        roots = np.repeat([math.sqrt(body.mass + 1.0) for body in bodies], 3)
+        spread = np.vstack([self._spread(self._frames.center(body.name))[:, : self._n] for body in bodies])
+        way, sizes, rates = np.linalg.svd(roots[:, None] * spread, full_matrices=False)
+        kept = sizes > FLAT
+        way, rates = way[:, kept], rates[kept] / sizes[kept, None]
+
+        def biases(speeds: Array) -> Array:
+            frames = self._going([float(speed) for speed in speeds])
+            return roots * np.concatenate([frames.center(body.name).bias for body in bodies])
+
+        total = sum((biases(speeds) for speeds in rates), np.zeros(len(roots))) - len(rates) * biases(np.zeros(self._n))
+        total -= way @ (way.T @ total)
+        return dict(zip((body.name for body in bodies), total.reshape(-1, 3), strict=True))
+
+    def _called(self, address: str | None) -> str:
+        return self._names.get(address or "", "")
+
+    def _add(self, label: Label, row: Array) -> None:
+        self._labels.append(label)
+        self._rows.append(row)
+
+    def _spread(self, point: Point) -> Array:
+        """Return the gradient of a point's three coordinates, (3, width)."""
+        found = np.zeros((3, self._width))
+        for number, axis in point.gradient.items():
+            found[:, number] += axis
+        for number, normal in point.lift.items():
+            found[:, self._n + number] += normal
+        return found
+
+    def body(self, body: RigidBody) -> None:
+        """Its place, its start and how its path bends; it has three rows, and more if it turns.
+
+        Its principal moments count, though no place may show them: how fast a ball spins that rolls.
+        """
+        point, called = self._frames.center(body.name), self._called(body.name)
+        spread = self._spread(point)
+        bends = self._bends.get(body.name, np.zeros(3))
+        for axis in range(3):
+            bent = map(_rounded, (point.velocity[axis], point.bias[axis], round(bends[axis], 7)))
+            self._add(("body", called, axis, body.mass, *bent, *_ends(body)), spread[axis])
+        turns = self._turns(body)
+        if turns:
+            frame, inertia = self._frames[body.name], _matrix(body.inertia)
+            spin = np.array(frame.unturned(frame.turning.velocity))
+            own = [*map(_rounded, np.linalg.eigvalsh(inertia)), _rounded(float(spin @ inertia @ spin))]
+            for row in turns:
+                self._add(("turn", called, *own), row)
+        for burn in self.mechanism.burns:
+            if burn.body == body.name:
+                thrust = self._frames[body.name].turned(burn.direction)
+                label = ("burn", called, burn.rate, burn.exhaust, burn.until)
+                self._add(label, np.array(thrust) @ spread)
+
+    def _turns(self, body: RigidBody) -> list[Array]:
+        """How its angular velocity depends on the rates, times the root of its inertia; only what is not zero."""
+        frame = self._frames[body.name]
+        if frame.spin is None or not any(body.inertia):
+            return []
+        own = np.zeros((3, self._width))
+        for number, axis in frame.turning.gradient.items():
+            own[:, number] = frame.unturned(axis)
+        return [row for row in _root(body.inertia) @ own if np.abs(row).max() > 0.0]
+
+    def hit(self, hit: Meeting) -> Label:
+        """Two bodies that may bounce: what they are called, how they bounce, and how far apart they are."""
+        one, other = sorted((hit.a or "", hit.b), key=self._called)
+        places = [self._frames.center(name).place if name else ZERO for name in (one, other)]
+        apart = minus(places[1], places[0])
+        if hit.normal is not None:
+            along = product(hit.normal, apart)
+            apart = (along, 0.0, 0.0) if hit.a is not None else (abs(along) - hit.distance, 0.0, 0.0)
+        numbers = [_rounded(number) for number in (hit.distance, hit.restitution, hit.sticks, *apart)]
+        return "hit", self._called(one), self._called(other), repr(numbers)
+
+    def push(self, force: Force) -> Label:
+        """Return a force that is given: what it is here, now and at other velocities, and how far its borders are."""
+        point = self._frames.center(force.body)
+        velocities = (point.velocity, X, Y, Z)
+        found = [force.law.force(point.place, velocity, self._stage, math) for velocity in velocities]
+        borders = () if force.region is None else force.region.margins(point.place, math)
+        return "force", self._called(force.body), *map(_rounded, (*chain.from_iterable(found), *borders))
+
+    def pairs(self) -> list[Label]:
+        """Return the bodies that attract each other, and how far apart they are."""
+        found: list[Label] = []
+        for pair in self.mechanism.attractions:
+            distance = dist(self._frames.center(pair.a).place, self._frames.center(pair.b).place)
+            both = sorted((self._called(pair.a), self._called(pair.b)))
+            found.append(("attraction", *both, pair.constant, pair.power, _rounded(distance)))
+        return found
+
+    def line(self, line: Line) -> None:
+        """The length of a string, a rod or a spring, or of what is drawn in with a force.
+
+        Of a spring the extension counts, not how long it is by itself: that may be one of the hidden lengths.
+        """
+        row, wound = np.zeros(self._width), 0.0
+        for wheel in line.wheels:
+            row[self.mechanism.number[wheel.coordinate]] += wheel.radius
+            wound += wheel.radius * self._stage
+        for first, last in pairwise(line.through):
+            one, other = self._frames.site(first), self._frames.site(last)
+            distance = dist(one.place, other.place)
+            if distance > 0.0:
+                apart = np.array(minus(other.place, one.place))
+                row += apart / distance @ (self._spread(other) - self._spread(one))
+        law, stretch = line.law, 0.0
+        if isinstance(law, Elastic):
+            stretch = self._frames.length(line) + wound - law.length
+            law = replace(law, length=0.0)
+        self._add(("line", self._called(line.name), law, _rounded(stretch)), row)
+
+    def foot(self, foot: Foot) -> None:
+        """An edge that may stand on a plane: the two ways that it can't go then."""
+        point = self._frames.site(foot.site)
+        gap = product(foot.normal, point.place) - foot.height
+        for way in (foot.normal, foot.along):
+            self._add(("foot", _rounded(gap)), np.array(way) @ self._spread(point))
+
+    def rise(self, label: Label, number: int) -> None:
+        """The rise of a body from its face."""
+        row = np.zeros(self._width)
+        row[self._n + number] = 1.0
+        self._add(label, row)
+
+    def refined(self) -> tuple[object, ...]:
+        """Return the labels, each refined by its products with all others; in an order of their own."""
+        if not self._rows:
+            return ()
+        rows = np.array(self._rows)
+        product = rows @ np.linalg.pinv(self._kinetic()) @ rows.T
+        turning = np.array([label[0] == "turn" for label in self._labels])
+        product = np.where(turning[:, None] | turning, abs(product), product)  # no text tells which way a wheel turns
+        product = np.round(product, 7) + 0.0
+        labels: list[object] = list(self._labels)
+        for _ in range(ROUNDS):
+            keys = [hash((repr(labels[i]), product[i, i], _near(product[i], labels))) for i in range(len(labels))]
+            labels = list(keys)
+        return tuple(sorted(map(repr, labels)))
+
+    def _kinetic(self) -> Array:
+        """Return the mass matrix, a unit mass being added to every body."""
+        total = np.zeros((self._width, self._width))
+        for body in self.mechanism.bodies:
+            spread = self._spread(self._frames.center(body.name))
+            total += (body.mass + 1.0) * spread.T @ spread
+            for row in self._turns(body):
+                total += np.outer(row, row)
+        return total
+
+
+def _root(inertia: Tensor) -> Array:
+    """Return the symmetric root of a tensor of inertia, (3, 3)."""
+    values, axes = np.linalg.eigh(_matrix(inertia))
+    return axes * np.sqrt(np.maximum(values, 0.0)) @ axes.T
+
+
+def _matrix(inertia: Tensor) -> Array:
+    return np.array([applied(inertia, axis) for axis in (X, Y, Z)])
+
+
+def _near(products: Array, labels: list[object]) -> tuple[object, ...]:
+    return tuple(sorted((repr(label), float(value)) for label, value in zip(labels, products, strict=True) if value))
+
+
+def _rounded(value: float) -> float:
+    return round(float(value), 9) + 0.0
+
+
+def _ends(body: RigidBody) -> list[float]:
+    """Return where its travel ends, as at the ground, counted from the start."""
+    return sorted(_rounded(end) for c in body.coordinates for end in (c.lower, c.upper) if math.isfinite(end))

@@ -1,0 +1,222 @@
+"""The lines of entities and parts, read in the order in which the Writer says them."""
+
+from collections.abc import Callable, Iterator
+from functools import cache, partial
+from itertools import chain
+from typing import NamedTuple
+
+from sim2reason.scenes.dsl.body import Body
+from sim2reason.scenes.dsl.entity import Part, inside
+from sim2reason.scenes.dsl.model import FieldType, field_types
+from sim2reason.scenes.dsl.template import Each, PartLines, Saying, Wordings, slots, topic_of, variants, wordings
+from sim2reason.text.parsing.matcher import Matcher
+from sim2reason.text.parsing.parse_state import MANY, ParseState, thing_at
+from sim2reason.text.parsing.string_routes import InnerRoute
+from sim2reason.text.parsing.tables import parse_table
+
+Step = Callable[[int, ParseState], Iterator[tuple[int, ParseState]]]
+"""From a piece of the text and what was read before it, to all that can be read from there on."""
+
+
+class _Said(NamedTuple):
+    """What the lines of a part, and of those inside it, may begin with."""
+
+    templates: frozenset[str]
+    tables: bool
+    strings: bool
+
+
+def may_begin(matcher: Matcher, kind: type[Part], place: int) -> bool:
+    """Whether the fixed words of some line of an entity stand in a sentence: of most kinds no line can begin there."""
+    templates, tables, strings = _said(kind)
+    if strings or any(matcher.may_be(place, template) for template in templates):
+        return True
+    return tables and any(piece.startswith("|") for piece in matcher.pieces[place + 1 :])
+
+
+@cache
+def _said(kind: type[Part]) -> _Said:
+    members = (model for held in field_types(kind).values() for model in held.models if issubclass(model, Part))
+    found = [_said(model) for model in members]
+    own = [saying for saying in kind.says if not isinstance(saying, PartLines)]
+    spoken = (line for saying in own for line in variants(saying))
+    return _Said(
+        frozenset(chain(*spoken, *(said.templates for said in found))),
+        any(isinstance(saying, Each) for saying in own) or any(said.tables for said in found),
+        bool(inside(kind)) or any(said.strings for said in found),
+    )
+
+
+def entity_lines(matcher: Matcher, address: str, place: int, state: ParseState) -> Iterator[tuple[int, ParseState]]:
+    """Yield all lines of an entity whose class is known: its parts', its own, its inner strings'."""
+    inner = [partial(_inside, matcher, address, name) for name in inside(state.kind(address, Part))]
+    steps: list[Step] = [partial(part_lines, matcher, address), *inner]
+    yield from _in_turn(steps, place, state)
+
+
+def part_lines(matcher: Matcher, address: str, place: int, state: ParseState) -> Iterator[tuple[int, ParseState]]:
+    """Yield the lines of the parts inside a part, then its own."""
+    kind = state.kind(address, Part)
+    placed = {saying.field for saying in kind.says if isinstance(saying, PartLines)}
+    first = [PartLines(name) for name in field_types(kind) if name not in placed]
+    steps: list[Step] = [partial(_saying, matcher, saying, address) for saying in (*first, *kind.says)]
+    yield from _in_turn(steps, place, state)
+
+
+def _in_turn(steps: list[Step], place: int, state: ParseState) -> Iterator[tuple[int, ParseState]]:
+    if not steps:
+        yield place, state
+        return
+    for after, then in steps[0](place, state):
+        yield from _in_turn(steps[1:], after, then)
+
+
+def _parts(
+    matcher: Matcher, field: str, address: str, place: int, state: ParseState
+) -> Iterator[tuple[int, ParseState]]:
+    """Yield the lines of the parts at a field; those of a row that have none are told by their entity."""
+    held, where = field_types(state.kind(address, Part))[field], f"{address}.{field}"
+    parts = [model for model in held.models if issubclass(model, Part)]
+    if parts and held.count is None:
+        yield from _inner(matcher, where, held, place, state)
+    elif any(model.says for model in parts):
+        yield from _several(matcher, where, held, place, state)
+    else:
+        yield place, state
+
+
+def _inner(
+    matcher: Matcher, address: str, held: FieldType, place: int, state: ParseState
+) -> Iterator[tuple[int, ParseState]]:
+    """Yield a part of any of its classes; an optional one may be absent."""
+    for kind in held.models:
+        yield from part_lines(matcher, address, place, state.with_kind(address, kind))
+    absent = state.with_value(address, None) if held.optional else None
+    if absent is not None:
+        yield place, absent
+
+
+def _several(
+    matcher: Matcher, address: str, held: FieldType, place: int, state: ParseState, index: int = 0
+) -> Iterator[tuple[int, ParseState]]:
+    """Parts in a row, each with its own lines and of any of its classes."""
+    done = state.with_count(address, index, index)
+    if done is not None:
+        yield place, done
+    here = f"{address}.{index}"
+    for kind in held.models if index < MANY else ():
+        for after, then in part_lines(matcher, here, place, state.with_kind(here, kind)):
+            if after > place:
+                yield from _several(matcher, address, held, after, then, index + 1)
+
+
+def _inside(
+    matcher: Matcher, address: str, name: str, place: int, state: ParseState
+) -> Iterator[tuple[int, ParseState]]:
+    """Yield the sentence of a connection inside an entity."""
+    inner = inside(state.kind(address, Part))[name]
+    routes = InnerRoute(address, inner)
+    for told in inner.kind.parse(f"{address}.{name}", place, state, matcher, routes):
+        yield place + 1, told.state
+
+
+def _saying(
+    matcher: Matcher, saying: Saying, address: str, place: int, state: ParseState
+) -> Iterator[tuple[int, ParseState]]:
+    if isinstance(saying, PartLines):
+        yield from _parts(matcher, saying.field, address, place, state)
+        return
+    if isinstance(saying, Each):
+        yield from _each(matcher, saying, address, place, state)
+        return
+    several = f"{address}.{saying.several}" if isinstance(saying, Wordings) and saying.several else ""
+    many, one = (state.with_count(several, 2), state.with_count(several, 1, 1)) if several else (state, None)
+    for line in variants(saying):
+        here = _without(saying, line, address, many) if many is not None else None
+        for number, template in enumerate(line):
+            if here is not None and matcher.may_be(place, template):
+                for then in matcher.sentence(place, template, address, here.with_choice(number)):
+                    yield place + 1, then
+    if one is not None:
+        yield place, one
+    if topic := topic_of(saying):
+        yield place, _at_least(wordings(saying)[0], address, state)._replace(without=state.without | {topic})
+    for then in _unsaid(wordings(saying)[0], address, state):
+        yield place, then
+
+
+def _without(saying: Saying, line: tuple[str, ...], address: str, state: ParseState) -> ParseState | None:
+    """Return the state with an optional number absent if `line` is the set of wordings used without that number."""
+    if not isinstance(saying, Wordings) or not saying.given or line is not saying.wordings:
+        return state
+    return state.with_value(f"{address}.{saying.given}", None)
+
+
+def _at_least(template: str, address: str, state: ParseState) -> ParseState:
+    """With the least that is drawn of the numbers that a line which is left out would tell."""
+    kind = state.kind(address, Part)
+    for path in (slot.path for slot in slots(template) if slot.kind == "path"):
+        whole = f"{address}.{kind.words[path].parameter if path in kind.words else path}"
+        owner, _, name = whole.rpartition(".")
+        owners = (kind,) if owner == address else thing_at(state, owner).models
+        held = next((field_types(each)[name] for each in owners if name in field_types(each)), None)
+        if held is not None and held.drawn is not None and not held.optional:
+            state = state.with_value(whole, held.drawn.low) or state
+    return state
+
+
+def _each(
+    matcher: Matcher, saying: Each, address: str, place: int, state: ParseState
+) -> Iterator[tuple[int, ParseState]]:
+    """Yield a sentence for each member; like bodies from three on are a table; nothing where there is none."""
+    field = f"{address}.{saying.field}"
+    none = state.with_count(field, 0, 0)
+    if none is not None:
+        yield place, none
+    for number, template in enumerate(saying.wordings):
+        if matcher.may_be(place, template):
+            yield from _members(matcher, template, field, place, state.with_choice(number), 0)
+    for kind in thing_at(state, field).models:
+        if issubclass(kind, Body):
+            here = state.with_choice(0)  # the wording of the sentences does not show
+            yield from parse_table(matcher, saying.table, field, kind, place, here)
+
+
+def _members(
+    matcher: Matcher, template: str, field: str, place: int, state: ParseState, index: int
+) -> Iterator[tuple[int, ParseState]]:
+    """Yield the sentences of the members from `index` on, all in one wording."""
+    address = field.rpartition(".")[0]
+    if index == MANY:
+        return
+    for then in matcher.sentence(place, template.replace(".*", f".{index}"), address, state):
+        whole = then.with_count(field, index + 1, index + 1)
+        if whole is not None:
+            yield place + 1, whole
+        yield from _members(matcher, template, field, place + 1, then, index + 1)
+
+
+def _unsaid(template: str, address: str, state: ParseState) -> Iterator[ParseState]:
+    """Yield what may be so if a line stays unsaid: something absent that it needs, or a number that a word tells."""
+    kind = state.kind(address, Part)
+    for path in dict.fromkeys(slot.path for slot in slots(template) if slot.kind == "path" and "*" not in slot.path):
+        path = kind.words[path].parameter if path in kind.words else path  # noqa: PLW2901 - what the word depends on
+        where, (head, _, inner) = f"{address}.{path}", path.partition(".")
+        held, holder = field_types(kind).get(head), f"{address}.{head}"
+        may_be_absent = held is not None and held.optional and holder not in state.letters
+        absent = state.with_value(holder, None) if may_be_absent else None
+        if absent is not None:
+            yield absent
+        told = kind.told_by_word(path, state.values.get(where)) or _by_word(state, where)
+        if told and (inner or held is None or not held.optional):
+            yield state
+
+
+def _by_word(state: ParseState, address: str) -> bool:
+    """Return whether the introduction of a body has told a number by a word, or still may."""
+    owner, _, name = address.rpartition(".")
+    for model in thing_at(state, owner).models:
+        if issubclass(model, Body):
+            words = [word for word in model.introduced_words() if word.parameter == name]
+            return any(address not in state.values or state.values[address] in word.special for word in words)
+    return False

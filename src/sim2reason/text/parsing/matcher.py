@@ -1,0 +1,305 @@
+"""Templates read backwards: where in a sentence they can end, and what they tell until there."""
+
+from collections.abc import Iterator, Mapping
+from functools import cache
+
+from sim2reason.errors import TextError
+from sim2reason.scenes.dsl.body import Body
+from sim2reason.scenes.dsl.connection import Connection
+from sim2reason.scenes.dsl.entity import Part
+from sim2reason.scenes.dsl.measures import Measure, join_unit
+from sim2reason.scenes.dsl.template import COUNT_WORDS, Slot, Word, slots
+from sim2reason.text.parsing.parse_state import (
+    MANY,
+    NUMBER,
+    SYMBOL,
+    ParseState,
+    Thing,
+    canonical,
+    joined,
+    meanings,
+    part_word,
+    thing_at,
+)
+from sim2reason.text.prose.phrases import BODIES, introductions, listed
+
+MAX_STEPS = 200_000
+NONE_GIVEN: Mapping[str, str] = {}
+
+Found = tuple[int, ParseState]
+"""Where a match ends, and what was read until there."""
+
+
+@cache
+def _fixed(template: str) -> tuple[str, ...]:
+    """Return its words between slots, without their first letters: a sentence begins with a capital."""
+    return tuple(slot.text[1:] for slot in slots(template) if slot.kind == "text")
+
+
+class Matcher:
+    """Follows templates through the pieces of one text; counts its steps, so that no text takes for ever."""
+
+    def __init__(self, pieces: tuple[str, ...], given: Mapping[str, str] = NONE_GIVEN) -> None:
+        """`reach` is the number of pieces that some reading got through; `given` tells symbols by their LaTeX."""
+        self.pieces = pieces
+        self.given = given
+        self.reach = 0
+        self._steps = 0
+        self._fitting: dict[tuple[int, str], bool] = {}
+
+    def sentence(self, place: int, template: str, owner: str, state: ParseState) -> Iterator[ParseState]:
+        """Yield what a whole sentence tells, read as a template of the part at `owner`."""
+        if self.may_be(place, template):
+            text = self.pieces[place]
+            for end, then in self.template(text, 0, template, owner, state):
+                if end == len(text):
+                    self.reach = max(self.reach, place + 1)
+                    yield then
+
+    def may_be(self, place: int, template: str) -> bool:
+        """Return whether all fixed words of a template stand somewhere in a sentence: quickly, since most do not."""
+        if (place, template) not in self._fitting:
+            fits = place < len(self.pieces) and all(words in self.pieces[place] for words in _fixed(template))
+            self._fitting[place, template] = fits
+        return self._fitting[place, template]
+
+    def literal(self, text: str, at: int, wanted: str) -> int | None:
+        """Return where `wanted` ends if it stands at `at`; a sentence begins with a capital."""
+        self._steps += 1
+        if self._steps > MAX_STEPS:
+            raise TextError("text", "it can be read in too many ways", "give the text of one scene")
+        if at == 0:
+            wanted = wanted[:1].upper() + wanted[1:]
+        return at + len(wanted) if text.startswith(wanted, at) else None
+
+    def template(
+        self, text: str, at: int, template: str, owner: str, state: ParseState, *, start: bool = True
+    ) -> Iterator[Found]:
+        """All ways in which a template of the part at `owner` can stand at `at`; no `start`: inside another one."""
+        yield from self._slots(text, at, slots(template), owner, state, at if start else -1)
+
+    def _slots(
+        self, text: str, at: int, rest: tuple[Slot, ...], owner: str, state: ParseState, begin: int
+    ) -> Iterator[Found]:
+        if not rest:
+            yield at, state
+            return
+        for end, then in self._slot(text, at, rest[0], owner, state, start=at == begin):
+            yield from self._slots(text, end, rest[1:], owner, then, begin)
+
+    def _slot(self, text: str, at: int, slot: Slot, owner: str, state: ParseState, *, start: bool) -> Iterator[Found]:
+        if slot.kind == "text":
+            yield from self._just(text, at, slot.text, state)
+        elif slot.kind == "count":
+            yield from self._count(text, at, joined(owner, slot.path), state)
+        elif slot.kind == "plural":
+            yield from self._plural(text, at, joined(owner, slot.path), state)
+        elif slot.kind in ("agree", "some"):
+            yield from self._forms(text, at, slot, owner, state, start=start)
+        elif slot.kind == "member":
+            yield from self._member(text, at, slot, owner, state, start=start)
+        else:
+            word = part_word(state, owner, slot.path)
+            if word is not None:
+                yield from self._word(text, at, word, owner, state, start=start)
+                return
+            for address, then in canonical(joined(owner, slot.path), state):
+                yield from self.at(text, at, address, then, start=start)
+
+    def _just(self, text: str, at: int, wanted: str, state: ParseState) -> Iterator[Found]:
+        end = self.literal(text, at, wanted)
+        if end is not None:
+            yield end, state
+
+    def _count(self, text: str, at: int, address: str, state: ParseState) -> Iterator[Found]:
+        low, high = state.size_range(address)
+        for count in range(low, high + 1):
+            then = state.with_count(address, count, count)
+            if then is not None:
+                yield from self._just(text, at, COUNT_WORDS[count], then)
+
+    def _plural(self, text: str, at: int, address: str, state: ParseState) -> Iterator[Found]:
+        kinds = [kind for kind in thing_at(state, address).models if issubclass(kind, Body)]
+        for kind in kinds:
+            for noun in _nouns(kind, state):
+                yield from self._just(text, at, f"{noun}s", state.with_noun(kind, noun))
+        if len(kinds) > 1:
+            yield from self._just(text, at, BODIES, state)
+
+    def _forms(self, text: str, at: int, slot: Slot, owner: str, state: ParseState, *, start: bool) -> Iterator[Found]:
+        """Agreement: one, two or more; none or some."""
+        address, least = joined(owner, slot.path), 1 if slot.kind == "agree" else 0
+        several = ((slot.two, 2, 2), (slot.many, 3, MANY)) if slot.two != slot.many else ((slot.many, least + 1, MANY),)
+        for form, low, high in ((slot.one, least, least), *several):
+            then = state.with_count(address, low, high)
+            if then is not None:
+                yield from self.template(text, at, form, owner, then, start=start)
+
+    def _member(self, text: str, at: int, slot: Slot, owner: str, state: ParseState, *, start: bool) -> Iterator[Found]:
+        members = joined(owner, slot.text)
+        for index in range(state.size_range(members)[1]):
+            address = f"{members}.{index}"
+            then = state.with_value(joined(owner, slot.path), index)
+            if then is not None and address in state.letters:
+                yield from self._just(text, at, state.mention(address, full=start), then)
+
+    def at(self, text: str, at: int, address: str, state: ParseState, *, start: bool = False) -> Iterator[Found]:
+        """Yield all ways in which what stands at an address can be told: a number, a word, a body or a list of them."""
+        thing = thing_at(state, address)
+        if thing.measure is not None:
+            yield from self.number(text, at, address, thing.measure, state)
+        elif thing.choices:
+            for choice in thing.choices:
+                then = state.with_value(address, choice)
+                if then is not None:
+                    yield from self._just(text, at, choice, then)
+        elif thing.word is not None:
+            yield from self._word(text, at, thing.word, address.rpartition(".")[0], state)
+        elif thing.several:
+            yield from self._list(text, at, address, thing, state, start=start)
+        else:
+            yield from self._mention(text, at, address, thing, state, start=start)
+
+    def number(self, text: str, at: int, address: str, measure: Measure, state: ParseState) -> Iterator[Found]:
+        """Yield a number with its unit, or a symbol for one; hearing another at the same address is a contradiction."""
+        symbol = SYMBOL.match(text, at) if text.startswith("$", at) else None
+        if symbol and symbol[1] not in self.given:
+            unknown = state.with_value(address, symbol.group())
+            if unknown is not None:
+                yield symbol.end(), unknown
+            return
+        told, begin = (self.given.get(symbol[1], ""), 0) if symbol else (text, at)
+        match = NUMBER.match(told, begin)
+        if match is None:
+            return
+        for unit, value in meanings(match.group(), measure.unit):
+            end = self.literal(told, match.end(), join_unit("", unit))
+            if symbol and end is not None:
+                end = symbol.end() if end == len(told) else None
+            then = state.with_value(address, value)
+            if end is not None and then is not None:
+                yield end, then
+
+    def _word(
+        self, text: str, at: int, word: Word, owner: str, state: ParseState, *, start: bool = False
+    ) -> Iterator[Found]:
+        """Yield a special word tells its number; the other one only leaves it open."""
+        address = joined(owner, word.parameter)
+        known, choices = state.values.get(address), thing_at(state, address).choices
+        if (known is None or known not in word.special) and not (choices and all(c in word.special for c in choices)):
+            yield from self._told(text, at, word.otherwise, owner, state, start=start)
+        for value, special in word.special.items():
+            then = state.with_value(address, value)
+            if then is not None:
+                yield from self._told(text, at, special, owner, then, start=start)
+
+    def _told(
+        self, text: str, at: int, template: str, owner: str, state: ParseState, *, start: bool
+    ) -> Iterator[Found]:
+        if owner in state.kinds and issubclass(state.kinds[owner], Part | Connection):
+            yield from self.template(text, at, template, owner, state, start=start)
+        else:
+            yield from self._of_body(text, at, slots(template), owner, state)
+
+    def _mention(
+        self, text: str, at: int, address: str, thing: Thing, state: ParseState, *, start: bool
+    ) -> Iterator[Found]:
+        if address in state.letters:
+            yield from self._just(text, at, state.mention(address, full=start), state)
+        elif state.values.get(address, 0.0) is not None:  # it was not said to be absent
+            for kind in thing.models:
+                if issubclass(kind, Body):
+                    yield from self._introduction(text, at, address, kind, state)
+
+    def _introduction(self, text: str, at: int, address: str, kind: type[Body], state: ParseState) -> Iterator[Found]:
+        """Yield the first mention of a body: with the next letter of its series, or as the only one."""
+        letters = state.next_letters(kind)
+        for noun in _nouns(kind, state):
+            again = state.knows_noun(noun)
+            named = state.with_noun(kind, noun)
+            if letters is not None:
+                then = named.introduced(address, kind, letters[0])
+                for number, template in enumerate(kind.named):
+                    yield from self._of_body(text, at, slots(template), address, then.with_choice(number))
+            if not state.series(kind):
+                then = named.introduced(address, kind, "")
+                for number, template in enumerate(introductions(kind, again=again)):
+                    yield from self._of_body(text, at, slots(template), address, then.with_choice(number))
+
+    def _of_body(self, text: str, at: int, rest: tuple[Slot, ...], address: str, state: ParseState) -> Iterator[Found]:
+        if not rest:
+            yield at, state
+            return
+        slot = rest[0]
+        if slot.kind == "text":
+            found = self._just(text, at, slot.text, state)
+        elif slot.path == "letter":
+            found = self._just(text, at, state.letters[address], state)
+        elif slot.path == "noun":
+            found = self._just(text, at, state.nouns[state.body(address)], state)
+        else:
+            found = self.at(text, at, f"{address}.{slot.path}", state)
+        for end, then in found:
+            yield from self._of_body(text, end, rest[1:], address, then)
+
+    def _list(
+        self, text: str, at: int, address: str, thing: Thing, state: ParseState, *, start: bool
+    ) -> Iterator[Found]:
+        """Yield one member as it is, several with the plural noun; known ones by their letters alone."""
+        low, high = state.size_range(address)
+        one = state.with_count(address, 1, 1)
+        if one is not None:
+            yield from self.at(text, at, f"{address}.0", one, start=start)
+        if f"{address}.0" in state.letters:
+            if low == high > 1:
+                yield from self._known(text, at, [f"{address}.{index}" for index in range(high)], state, start=start)
+            return
+        for kind in thing.models:
+            if issubclass(kind, Body) and kind.listed:
+                for noun in _nouns(kind, state):
+                    for end, then in self._just(text, at, f"{noun}s ", state.with_noun(kind, noun)):
+                        yield from self._items(text, end, address, kind, then, 0)
+                    if kind.alike:
+                        yield from self._alike(text, at, address, kind, state.with_noun(kind, noun))
+
+    def _alike(self, text: str, at: int, address: str, kind: type[Body], state: ParseState) -> Iterator[Found]:
+        """Yield the members of a new list whose numbers agree: A and B (… each)."""
+        low, high = state.size_range(address)
+        for count in range(max(low, 2), high + 1):
+            members, letters = [f"{address}.{index}" for index in range(count)], state.next_letters(kind, count)
+            then = state.with_count(address, count, count)
+            if letters is None or then is None:
+                continue
+            for member, letter in zip(members, letters, strict=True):
+                then = then.introduced(member, kind, letter)
+            for end, named in self._just(text, at, listed(state.nouns[kind], letters, full=True) + " ", then):
+                for after, told in self._of_body(text, end, slots(kind.alike), members[0], named):
+                    shared = told.shared(members, kind.says_in(kind.alike))
+                    if shared is not None:
+                        yield after, shared
+
+    def _known(self, text: str, at: int, members: list[str], state: ParseState, *, start: bool) -> Iterator[Found]:
+        letters = [state.letters[address] for address in members]
+        yield from self._just(text, at, listed(state.nouns[state.body(members[0])], letters, full=start), state)
+
+    def _items(
+        self, text: str, at: int, address: str, kind: type[Body], state: ParseState, index: int, *, last: bool = False
+    ) -> Iterator[Found]:
+        """Yield the members of a new list from `index` on: A (…), B (…) and C (…)."""
+        letters = state.next_letters(kind)
+        if letters is None or index >= MANY:
+            return
+        here = f"{address}.{index}"
+        for end, then in self._of_body(text, at, slots(kind.listed), here, state.introduced(here, kind, letters[0])):
+            if last:
+                counted = then.with_count(address, index + 1, index + 1)
+                if counted is not None:
+                    yield end, counted
+                continue
+            for comma, ends in ((", ", False), (" and ", True)):
+                for after, again in self._just(text, end, comma, then):
+                    yield from self._items(text, after, address, kind, again, index + 1, last=ends)
+
+
+def _nouns(kind: type[Body], state: ParseState) -> tuple[str, ...]:
+    return (state.nouns[kind],) if kind in state.nouns else kind.nouns

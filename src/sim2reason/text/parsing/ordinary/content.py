@@ -1,0 +1,257 @@
+"""Words and numbers that a sentence states, and the library's own sentences for comparison."""
+
+import re
+from collections.abc import Container, Iterator, Mapping
+from dataclasses import dataclass
+from decimal import Decimal
+from functools import cache, lru_cache
+
+import numpy as np
+from pydantic import ValidationError
+
+from sim2reason.errors import SceneError, UnsupportedError
+from sim2reason.scenes.dsl.choices import chances, choices, closed, reachable, specials
+from sim2reason.scenes.dsl.entity import ENTITIES, Entity, Named
+from sim2reason.scenes.dsl.model import Choice, Count, draw, field_types
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.units import UnitError, coherent
+from sim2reason.text.parsing.ordinary.vocabulary import FILLERS, ORDERED, PHRASES, SAME, SURFACES, TEXTURES
+from sim2reason.text.prose.phrases import Names, letters
+from sim2reason.text.prose.voices import symbolic_but_zero
+from sim2reason.text.prose.writer import Writer
+
+MINUS, TIMES = "\N{MINUS SIGN}", "\N{MULTIPLICATION SIGN}"
+_NUMBER = re.compile(
+    rf"(?<![\w.])([-{MINUS}]?\d{{1,30}}(?:\.\d{{1,30}})?"
+    rf"(?:e[+-]?\d{{1,3}}|\s?[{TIMES}x*]\s?10\^?[-{MINUS}]?\d{{1,3}})?)"
+    r"(?:[ \-]?(°|%|[A-Za-zµμΩ][A-Za-zµμΩ0-9²³⁻¹·*/^]{0,20}))?"
+)
+_SYMBOL = re.compile(r"\$([^$\n]{1,40})\$")
+_WORD = re.compile(r"#\d+#|\$\d+\$|[A-Za-z][A-Za-z-]*")
+_MEANS = {other: word for word, others in SAME.items() for other in others.split()}
+
+
+@dataclass(frozen=True, slots=True)
+class Told:
+    """A number as it is written, with its unit (empty for a pure number) and that unit without prefixes."""
+
+    digits: str
+    unit: str
+    bare: str
+
+    def in_unit(self, unit: str) -> str:
+        """Return the digits that tell this number in another unit of its kind, without rounding."""
+        mine, other = coherent(self.unit)[1], coherent(unit)[1]
+        if mine == other:
+            return self.digits
+        plain = re.sub(rf"\s?[{TIMES}x*]\s?10\^?", "e", self.digits).replace(MINUS, "-")
+        return f"{(Decimal(plain) * mine / other).normalize():f}".replace("-", MINUS)
+
+
+@dataclass(frozen=True, slots=True)
+class Content:
+    """The words of a sentence that matter, in order, `#0#` standing for its first number, and the numbers."""
+
+    words: tuple[str, ...]
+    numbers: tuple[Told, ...]
+
+    @property
+    def facts(self) -> frozenset[str]:
+        """Return the words of the sentence, without numbers and without letters that name bodies."""
+        return frozenset(word for word in self.words if len(word) > 1 and word[0] != "#")
+
+    @property
+    def order(self) -> tuple[str, ...]:
+        """Return the words of the sentence whose order matters, in order, each once where it is repeated at once."""
+        several = sum(word in SURFACES for word in self.words) > 1
+        matters: frozenset[str] = ORDERED.union(TEXTURES, SURFACES) if several else ORDERED
+        found = [word for word in self.words if word in matters]
+        return tuple(word for index, word in enumerate(found) if index == 0 or found[index - 1] != word)
+
+    @property
+    def letters(self) -> tuple[str, ...]:
+        """Return the letters that name bodies, in the order of the sentence."""
+        return tuple(word for word in self.words if len(word) == 1)
+
+    def beside(self, index: int) -> frozenset[str]:
+        """Return the words next to a number on either side."""
+        at = self.words.index(f"#{index}#")
+        near = (*self.words[max(at - 1, 0) : at], *self.words[at + 1 : at + 2])
+        return frozenset(word for word in near if word[0] != "#")
+
+
+@lru_cache(maxsize=1024)
+def content(sentence: str) -> Content:
+    """Return what a sentence tells; numbers count from 0 in the order in which they stand."""
+    numbers: list[Told] = []
+
+    def numbered(found: re.Match[str]) -> str:
+        unit, bare, rest = _unit(found[2] or "")
+        numbers.append(Told(found[1], unit, bare))
+        return f" #{len(numbers) - 1}# {rest}"
+
+    return Content(tuple(_words(_NUMBER.sub(numbered, sentence))), tuple(numbers))
+
+
+def content_of_form(form: str) -> Content:
+    """Return what a sentence tells whose numbers are symbols in dollars; each stands as a number without a unit."""
+    symbols: list[Told] = []
+
+    def numbered(found: re.Match[str]) -> str:
+        symbols.append(Told(found[1], "", ""))
+        return f" #{len(symbols) - 1}# "
+
+    return Content(tuple(_words(_SYMBOL.sub(numbered, form))), tuple(symbols))
+
+
+def _unit(said: str) -> tuple[str, str, str]:
+    """Return a unit, the same without prefixes, and what of `said` is no unit."""
+    word = said.rstrip(".")
+    try:
+        return (word, coherent(word)[0], "") if word else ("", "", "")
+    except (UnitError, ArithmeticError):
+        return "", "", said
+
+
+def _words(text: str) -> Iterator[str]:
+    text = _letters(text)
+    for pattern, plain in _phrases():
+        text = pattern.sub(f" {plain} ", text)
+        text = " ".join(text.split())
+    words: list[str] = _WORD.findall(text)
+    for word in words:
+        if word.isupper() or word[0] == "#":
+            yield word
+        elif word not in FILLERS:
+            found = _MEANS.get(word, word)
+            singular = found[:-1] if found.endswith("s") and len(found) > 3 and not found.endswith("ss") else found
+            yield _MEANS.get(singular, singular)
+
+
+def _letters(text: str) -> str:
+    """Return the text in lower case but for the letters of bodies; a capital A at the start is an article."""
+    text = re.sub(r"^\W*A\s+(?=[a-z#])", "a ", text)
+    return re.sub(r"\b(?![A-Z]\b)\w+", lambda word: word[0].lower(), text)
+
+
+@cache
+def _phrases() -> tuple[tuple[re.Pattern[str], str], ...]:
+    return tuple((re.compile(pattern), plain) for pattern, plain in PHRASES.items())
+
+
+ALONE = 4  # numbers with a word of their own, such as *smooth*, that are shown one by one
+KINDS = 4  # of parts that may stand in the same place, such as bodies that roll
+RANDOM = 1  # scenes of each entity drawn as they come
+WORDINGS = 2  # of each scene
+IT = "it"
+GRAVITY, _GRAVITY_OF_SYMBOL = "Take g = $g$.", "The acceleration of free fall is $g$."  # as with a number, and without
+
+
+@dataclass(frozen=True, slots=True)
+class Form:
+    """A sentence with symbols in dollars for its numbers, each with its unit; `place` is how far on in a text it is."""
+
+    text: str
+    units: tuple[str, ...]
+    place: float
+    content: Content
+
+
+class _Teller(Writer):
+    """A writer that takes the wording of one number throughout, and of nouns always the first."""
+
+    wording = 0
+
+    def choose(self, options: tuple[str, ...]) -> str:
+        """Return the wording of that number, counted round."""
+        return options[self.wording % len(options)]
+
+
+@cache
+def forms() -> tuple[Form, ...]:
+    """Return all forms that are known, each once."""
+    found: dict[str, Form] = {}
+    for cls in ENTITIES.values():
+        for number, chosen in enumerate(_choices(cls)):
+            for form in _forms_of(cls, number, chosen, found):
+                found[form.text] = form
+    return tuple(found.values())
+
+
+def _choices(cls: type[Entity]) -> Iterator[dict[str, Choice]]:
+    """Yield settings for drawing scenes of an entity, enough to need each special word, such as *smooth*, once."""
+    fields = [(model, name, held) for model in reachable(cls) for name, held in field_types(model).items()]
+    told = {f"{model.__name__}.{name}": specials(model, name) for model, name, _ in fields if specials(model, name)}
+    few = {
+        f"{model.__name__}.{name}": Count(held.count.low, held.count.low) for model, name, held in fields if held.count
+    }
+    words: list[dict[str, float]] = [{}, *({path: values[end] for path, values in told.items()} for end in (0, -1))]
+    for present in (0.0, 1.0):
+        plain: dict[str, Choice] = {**few, **dict.fromkeys(chances(cls), present)}
+        yield from ({**plain, **special} for special in words)
+        yield from ({**plain, path: told[path][0]} for path in list(told)[:ALONE] if len(told) > 1)
+    for model, name, held in fields:
+        kinds = [kind.__name__ for kind in held.models if len(held.models) > 1]
+        yield from ({**chances(cls), f"{model.__name__}.{name}": (kind,)} for kind in kinds[:KINDS])
+    yield from (choices(cls, np.random.default_rng(seed)) for seed in range(RANDOM))
+
+
+def _forms_of(cls: type[Entity], number: int, chosen: dict[str, Choice], known: Container[str]) -> Iterator[Form]:
+    """Yield the sentences about a random scene of an entity that are not yet known; none if the scene is not valid."""
+    rng = np.random.default_rng([number])
+    try:
+        scene = closed(Named(name=IT, entity=draw(cls, rng, chosen)), rng)
+        first = _Teller(scene, Names(), rng, symbolic_but_zero)
+        first.sentences()
+        for wording in range(WORDINGS):
+            yield from _told(scene, first, number * WORDINGS + wording, known)
+    except (SceneError, UnsupportedError, ValidationError):
+        return
+
+
+def _told(scene: Scene, first: Writer, wording: int, known: Container[str]) -> Iterator[Form]:
+    names = Names(letters(first.introduced, scene.bodies))
+    teller = _Teller(scene, names, np.random.default_rng(0), symbolic_but_zero, tuple(first.told))
+    teller.wording = wording
+    said = [GRAVITY if sentence == _GRAVITY_OF_SYMBOL else sentence for sentence in teller.sentences()]
+    units = {teller.symbols[p.path]: p.measure.unit for p in scene.parameters if p.path in teller.symbols}
+    for index, sentence in enumerate(said):
+        if "|" in sentence or sentence in known:
+            continue
+        told = content_of_form(sentence)
+        symbols = [number.digits for number in told.numbers]
+        if all(symbol in units for symbol in symbols):
+            yield Form(sentence, tuple(units[symbol] for symbol in symbols), index / len(said), told)
+
+
+_MASS = r"(?:of (?:mass(?:es)? )?)?(\d[\d.]*(?: ?[x×] ?10\^?-?\d+)?)[ -]?(k?g|kilograms?)"
+_STRING = r"(?:a |the )?(?:(?:single|light|massless|inextensible|ideal)(?:,? and|,)? )*(?:string|rope|cord)"
+_PULLEY = r"(?:a |an )?(?:(?:light|massless|frictionless|smooth|fixed|ideal)(?:,? and|,)? )*pulley"
+_LEADS = r"(?:(?:that|which) )?(?:passes |passing |runs |running |goes |going |hung |is hung |slung )?over"
+_TIED = r"(?:connected|attached|joined|tied)"
+_BODY = r"(?:blocks|masses|weights|bodies|objects)"
+
+REWORDED: Mapping[str, str] = {
+    rf"Two {_BODY},? {_MASS} and {_MASS},? (?:hang|are hung|are suspended|are {_TIED})"
+    rf"(?: vertically)?(?: (?:together|from|to|at|on|the|both|two|opposite|ends?|of))*"
+    rf"(?: by)? {_STRING} {_LEADS} {_PULLEY}\.": (
+        r"A light string is tied to block A of mass \1 \2; it runs straight up, passes over a light fixed pulley"
+        r" and runs straight down to block B of mass \3 \4."
+    ),
+    rf"(?:It|The block|Block A) is {_TIED} by {_STRING} {_LEADS} {_PULLEY} at (?:the|its) edge(?: of the \w+)?"
+    rf" to (?:a |another |a second )?(?:hanging )?(?:block|mass|weight)(?: B)? {_MASS}"
+    r"(?:,? (?:that|which) hangs (?:freely|vertically))?\.": (
+        r"A light string tied to block A runs to the right along the plane, passes over a light fixed pulley"
+        r" and runs straight down to block B (\1 \2)."
+    ),
+}
+"""By a pattern of a whole sentence, the library's sentence that says the same; the first body mentioned is A."""
+
+
+def reworded(sentence: str) -> str | None:
+    """Return the library's sentence that says the same as one of a textbook on a usual arrangement; None if unknown."""
+    for pattern, said in REWORDED.items():
+        found = re.fullmatch(pattern, sentence)
+        if found is not None:
+            return found.expand(said)
+    return None

@@ -1,0 +1,139 @@
+"""Of the library's own sentences those that say what a sentence says, and the one that comes nearest."""
+
+import re
+from collections.abc import Iterator, Sequence
+from functools import cache
+
+from sim2reason.scenes.dsl.measures import join_unit
+from sim2reason.scenes.dsl.units import coherent
+from sim2reason.text.parsing.ordinary.content import Content, Form, Told, content, forms
+from sim2reason.text.parsing.ordinary.vocabulary import NOUNS
+
+LEAST = 0.2  # of all words of two sentences that they share, for one to be shown as near the other
+LONGEST = 600  # characters of a sentence that may be like one of the library
+NUMBERS = 1.0  # the weight of a number beside that of a word
+_SYMBOL = re.compile(r"\$[^$\n]{1,40}\$")
+
+
+def same(sentence: str) -> list[Form]:
+    """Return the forms that say neither more nor less than a sentence, in any wording, those with its letters first."""
+    said = content(sentence)
+    return sorted(
+        (form for form in forms() if _equal(said, form)), key=lambda form: form.content.letters != said.letters
+    )
+
+
+@cache
+def _by_core() -> dict[frozenset[str], list[Form]]:
+    found: dict[frozenset[str], list[Form]] = {}
+    for form in forms():
+        found.setdefault(_core(form.content), []).append(form)
+    return found
+
+
+def _core(said: Content) -> frozenset[str]:
+    """Return the words by which a sentence is looked up: sentences with the same meaning have the same ones."""
+    return said.facts - NOUNS - {"rough"}
+
+
+def nearest(sentence: str) -> str | None:
+    """Return the form that shares most words with a sentence, its numbers filled in; None if none is near."""
+    if len(sentence) > LONGEST:
+        return None
+    said = content(sentence)
+    ranked = max(forms(), key=lambda form: _likeness(said, form), default=None)
+    return filled(ranked, said) if ranked is not None and _likeness(said, ranked) >= LEAST else None
+
+
+def filled(form: Form, said: Content) -> str:
+    """Return the text of a form with the numbers that a sentence tells; a symbol stays where it tells none."""
+    values = iter(_values(form, said))
+    return _SYMBOL.sub(lambda symbol: next(values) or symbol[0], form.text)
+
+
+def _values(form: Form, said: Content) -> Iterator[str | None]:
+    """Yield, for each number that a form asks for, the number of the user's sentence that fills it.
+
+    It is the next unused one of the same kind (a mass for a mass), or None where another one could be meant as well.
+    """
+    left = list(enumerate(said.numbers))
+    kinds = [coherent(unit)[0] for unit in form.units]
+    for index, (unit, kind) in enumerate(zip(form.units, kinds, strict=True)):
+        alone = kinds.count(kind) == 1 and sum(number.bare == kind for _, number in left) == 1
+        chosen = next((each for each in left if each[1].bare == kind), None)
+        if chosen is None or not (alone or _certain(said, chosen[0], form.content, index)):
+            yield None
+            continue
+        left.remove(chosen)
+        yield _told(chosen[1], unit)
+
+
+def _certain(said: Content, mine: int, other: Content, theirs: int) -> bool:
+    """Return whether a sentence's number surely is that of a form: beside the same word, or in a list of bodies."""
+    listed = said.letters == other.letters or f"#{mine - 1}# #{mine}#" in " ".join(said.words) or mine == 0
+    return bool(said.beside(mine) & other.beside(theirs)) or (listed and any(map(_is_letter, other.beside(theirs))))
+
+
+def _is_letter(word: str) -> bool:
+    return len(word) == 1
+
+
+def _told(number: Told, unit: str) -> str:
+    return join_unit(number.in_unit(unit).replace("-", "\N{MINUS SIGN}"), unit)
+
+
+def _likeness(said: Content, form: Form) -> float:
+    mine, other = said.facts, form.content.facts
+    kinds, units = [number.bare for number in said.numbers], [coherent(unit)[0] for unit in form.units]
+    shared = _common(kinds, units)
+    either = len(mine | other) + NUMBERS * (len(kinds) + len(units) - shared)
+    return (len(mine & other) + NUMBERS * shared) / either if either else 0.0
+
+
+def _common(some: Sequence[str], others: Sequence[str]) -> int:
+    return sum(min(some.count(kind), others.count(kind)) for kind in set(some))
+
+
+def _equal(said: Content, form: Form) -> bool:
+    """Return whether a form says what a sentence says: in its words and order of bodies, with numbers that match."""
+    other = form.content
+    kinds, units = [number.bare for number in said.numbers], [coherent(unit)[0] for unit in form.units]
+    if sorted(kinds) != sorted(units) or not (_agree(said, other) or _of_one(said, other)):
+        return False
+    if said.letters != other.letters and (said.letters or not _introduced(form)):
+        return False
+    return all(kinds.count(kind) == 1 or _in_turn(said, other, kinds, units, kind) for kind in set(kinds))
+
+
+def _agree(said: Content, other: Content) -> bool:
+    """Return whether both have the same words; a sentence may leave out *rough*, since it states the friction."""
+    return said.facts in (other.facts, other.facts - {"rough"}) and said.order == other.order
+
+
+def _of_one(said: Content, other: Content) -> bool:
+    """Return whether both have the same words, except for a noun, as *block*, that only one of them has."""
+    mine, theirs = said.facts & NOUNS, other.facts & NOUNS
+    if said.letters or other.letters or len(mine) + len(theirs) != 1:
+        return False
+    without = [tuple(word for word in each.order if word not in NOUNS) for each in (said, other)]
+    return said.facts - mine == other.facts - theirs and without[0] == without[1]
+
+
+def _introduced(form: Form) -> bool:
+    """Return whether each letter of a form occurs once, beside a number, as in a sentence that introduces bodies."""
+    beside = {word for index in range(len(form.units)) for word in form.content.beside(index)}
+    return len(set(form.content.letters)) == len(form.content.letters) and beside.issuperset(form.content.letters)
+
+
+def _in_turn(said: Content, other: Content, kinds: list[str], units: list[str], kind: str) -> bool:
+    """Return whether the numbers of a kind match one by one: beside the same word, or beside the letter of a body."""
+    pairs = zip(_of_kind(kinds, kind), _of_kind(units, kind), strict=True)
+    return all(_alike(said.beside(mine), other.beside(theirs)) for mine, theirs in pairs)
+
+
+def _alike(mine: frozenset[str], theirs: frozenset[str]) -> bool:
+    return any(map(_is_letter, theirs)) or bool(mine & theirs)
+
+
+def _of_kind(kinds: list[str], kind: str) -> list[int]:
+    return [index for index, found in enumerate(kinds) if found == kind]

@@ -1,0 +1,151 @@
+"""A text in ordinary English told again in the library's own sentences, as far as each says the same as one of them."""
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import islice, product
+
+from sim2reason.scenes.dsl.model import field_types
+from sim2reason.scenes.dsl.scene import World
+from sim2reason.text.parsing.ordinary.content import Content, Form, content, reworded
+from sim2reason.text.parsing.ordinary.nearest import LONGEST, filled, same
+from sim2reason.text.parsing.ordinary.vocabulary import NOUNS
+from sim2reason.text.prose.closings import CLOSINGS, RESTS, is_assumption
+
+CHOICES = 4  # forms of a sentence that are tried
+MOST = 24  # texts that are tried
+FIRST_LETTER = "A"
+LAST = 1.0  # the place of what stands at the end of a text
+PRESUMED = re.compile("g|start with .*taut|room|.*pulleys? and room.*|room on faces")
+"""Closings that people leave out: the usual g, pulleys without friction, strings that are taut, room to move."""
+
+_REST = "It is released from rest."
+_RELEASED_SOMEWHERE = re.compile(r"(?: is| are) (?:released|let go) from rest(?= (?:on|at|from|with)\b)")
+_RELEASED_WITH = re.compile(r"(?:The|A) \w+ is (?:released|let go) from rest with the (string|rod) at (.*)")
+_APART = re.compile(r"(?:;|,? and|, which|, where|,)(?: then)? ")
+_SURFACE = r"(?:slope|incline|ramp|hill|plane|floor|table|ground|surface)"
+_UNSAYABLE = re.compile(
+    rf"\?$|\b(?:kg|g|kilograms?|grams?) {_SURFACE}\b|\b{_SURFACE} (?:of|with) (?:a )?mass\b", re.IGNORECASE
+)
+"""Sentences that are not translated: questions, and those that give a fixed surface a mass, as if it were a body."""
+_ENDS = re.compile(r"^(?:it |they )?(?:is|are) ")
+
+
+@dataclass(frozen=True, slots=True)
+class Recast:
+    """A text in the library's sentences; whether it starts from rest is left to the closing that the scene needs."""
+
+    said: tuple[str, ...]
+    from_rest: bool
+    added: tuple[str, ...] = ()
+
+    @property
+    def whole(self) -> bool:
+        """Return whether a closing says that the motion starts from rest, if the original text says so."""
+        return not self.from_rest or any(name.startswith("rest") for name in self.added)
+
+    def adding(self, name: str) -> "Recast | None":
+        """Return the text with the closing of a name in its place; None for what the text does not say or presume."""
+        if not (PRESUMED.fullmatch(name) or (self.from_rest and name.startswith("rest"))):
+            return None
+        found = next(closing for closing in CLOSINGS if closing.name == name)
+        measure = field_types(World)["gravity"].measure
+        usual = measure.say(World().gravity) if measure is not None else ""
+        told = found.wordings[0].replace("{world.gravity}", usual)
+        later = [index for index, sentence in enumerate(self.said) if _comes_after(sentence, name)]
+        at = later[0] if later else len(self.said)
+        said = (*self.said[:at], told[:1].upper() + told[1:], *self.said[at:])
+        return Recast(said, self.from_rest, (*self.added, name))
+
+
+def first_unlike(said: Sequence[str]) -> int | None:
+    """Return the index of the first sentence that says what no form of the library does; None if there is none."""
+    return next((index for index, sentence in enumerate(_unlettered(said)) if _forms(sentence) is None), None)
+
+
+def recast(said: Sequence[str]) -> Iterator[Recast]:
+    """Yield texts in the library's sentences that say the same, in the order of the text and in the usual one."""
+    found = [_forms(sentence) for sentence in _unlettered(said)]
+    if not all(each is not None for each in found):
+        return
+    clauses = [clause for each in found for clause in each or ()]
+    nouns = frozenset[str]().union(*(content(sentence).facts & NOUNS for sentence in said))
+    told = [_of_these(clause, nouns)[:CHOICES] for clause in clauses if clause]
+    for chosen in islice(product(*told), MOST):
+        from_rest = len(told) < len(clauses)
+        yield Recast(tuple(text for text, _ in chosen), from_rest)
+        usual = sorted(chosen, key=lambda each: each[1])
+        if usual != list(chosen):
+            yield Recast(tuple(text for text, _ in usual), from_rest)
+
+
+def _of_these(told: list[tuple[str, float]], nouns: frozenset[str]) -> list[tuple[str, float]]:
+    """Return the forms that name only bodies of the text; if every form names others, too, return all forms."""
+    return [each for each in told if nouns.issuperset(content(each[0]).facts & NOUNS)] or told
+
+
+def _unlettered(said: Sequence[str]) -> Sequence[str]:
+    """Return the sentences without the letter A, as in *block A*, if A is the only letter that names a body."""
+    if max(map(len, said)) > LONGEST or {letter for sentence in said for letter in content(sentence).letters} != {
+        FIRST_LETTER
+    }:
+        return said
+    return [re.sub(rf"(?<=[a-z]) {FIRST_LETTER}\b", "", sentence) for sentence in said]
+
+
+def _comes_after(sentence: str, name: str) -> bool:
+    """Return whether a sentence is a closing that comes after the closing called `name`; *g = …* comes last."""
+    last = re.search(r"\bg = ", sentence) is not None
+    return is_assumption(sentence) and (last or name.startswith(("rest", "start")))
+
+
+def _forms(sentence: str) -> list[list[tuple[str, float]]] | None:
+    """Return the library's wordings of each clause of a sentence; None if one of the clauses has none."""
+    if _UNSAYABLE.search(sentence):
+        return None
+    known = _known(sentence)
+    if known is not None:
+        return [known]
+    for parts in _apart(sentence):
+        found = [_known(part) for part in parts]
+        if all(each is not None for each in found):
+            return [each for each in found if each is not None]
+    return None
+
+
+def _known(sentence: str) -> list[tuple[str, float]] | None:
+    """Return the sentences by which the library says what a clause of the user's text says, each with its usual place.
+
+    None stands for a clause that the library cannot say, an empty list for *it starts from rest*, which needs no words.
+    """
+    forms = same(sentence)
+    if any(form.text in RESTS for form in forms):
+        return []
+    said = content(sentence)
+    lettered = dict.fromkeys(form.content.letters for form in forms)
+    first = [next(form for form in forms if form.content.letters == letters) for letters in sorted(lettered)]
+    told = [(_lettered(filled(form, said), form, said), form.place) for form in dict.fromkeys((*first, *forms))]
+    usual = reworded(sentence)
+    return ([(usual, LAST / 2)] if usual else told) or None
+
+
+def _lettered(text: str, form: Form, said: Content) -> str:
+    """Return a form's text; the only letter in it becomes A if the sentence has no letter."""
+    if said.letters or len(form.content.letters) != 1:
+        return text
+    return re.sub(rf"\b{form.content.letters[0]}\b", FIRST_LETTER, text, count=1)
+
+
+def _apart(sentence: str) -> Iterator[list[str]]:
+    """Yield the two parts of a sentence for each *and* or comma at which it can be split; nothing if it is too long."""
+    if len(sentence) > LONGEST:
+        return
+    if _RELEASED_SOMEWHERE.search(sentence):
+        yield [_RELEASED_SOMEWHERE.sub(" is", sentence, count=1), _REST]
+        held = _RELEASED_WITH.fullmatch(sentence)
+        if held is not None:
+            yield [f"The {held[1]} is at {held[2]}", _REST]
+    for found in _APART.finditer(sentence):
+        rest = sentence[found.end() :]
+        rest = f"It {rest}" if _ENDS.match(rest) else rest
+        yield [f"{sentence[: found.start()]}.", rest[:1].upper() + rest[1:]]

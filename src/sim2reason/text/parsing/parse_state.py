@@ -1,0 +1,222 @@
+"""The state of a reading: numbers, symbols and declarations that the text has stated so far."""
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from decimal import Decimal
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+from sim2reason.scenes.dsl.body import Body
+from sim2reason.scenes.dsl.connection import Connection, Link, Told
+from sim2reason.scenes.dsl.entity import Part
+from sim2reason.scenes.dsl.measures import Measure
+from sim2reason.scenes.dsl.model import M, Model, field_types
+from sim2reason.scenes.dsl.template import Topic, Word
+from sim2reason.scenes.dsl.units import coherent
+from sim2reason.text.prose.phrases import Names, called, letter_at
+
+MANY = 8  # members of a variable-length part that a text can count
+
+
+@dataclass(frozen=True, slots=True)
+class ParsedConnection:
+    """A connection that was told, and the ports that it joins."""
+
+    name: str
+    kind: type[Connection]
+    links: tuple[Link, ...]
+
+
+NONE: Mapping[Any, Any] = MappingProxyType({})
+
+
+class ParseState(NamedTuple):
+    """Facts by address, as the scene will have them; `script` lists the wordings that were met, in order."""
+
+    kinds: Mapping[str, type[Model]]
+    values: Mapping[str, Told] = NONE  # None: absent
+    counts: Mapping[str, tuple[int, int]] = NONE  # least and most
+    letters: Mapping[str, str] = NONE  # in the order of introduction
+    nouns: Mapping[type[Body], str] = NONE
+    script: tuple[int, ...] = ()
+    entities: tuple[str, ...] = ()
+    waiting: tuple[str, ...] = ()  # entities whose lines were read and that no string has reached
+    joined: tuple[ParsedConnection, ...] = ()
+    closings: tuple[str, ...] = ()
+    without: frozenset[Topic] = frozenset()  # topics on which lines were left out
+
+    @property
+    def unknowns(self) -> dict[str, str]:
+        """The symbols that stand in place of numbers, with their dollars, by address."""
+        return {path: told for path, told in self.values.items() if isinstance(told, str) and told.startswith("$")}
+
+    def with_choice(self, number: int) -> "ParseState":
+        """With one more wording."""
+        return self._replace(script=(*self.script, number))
+
+    def with_kind(self, address: str, kind: type[Model]) -> "ParseState":
+        """With the class of what stands at an address."""
+        return self._replace(kinds={**self.kinds, address: kind})
+
+    def with_value(self, address: str, value: Told) -> "ParseState | None":
+        """With a number, or None if another one was told before."""
+        if address in self.values:
+            return self if self.values[address] == value else None
+        return self._replace(values={**self.values, address: value})
+
+    def shared(self, members: Sequence[str], names: Iterable[str]) -> "ParseState | None":
+        """With the first member's numbers, as far as they are known, as those of all."""
+        found: ParseState | None = self
+        for name in sorted(names):
+            value = self.values.get(f"{members[0]}.{name}")
+            for member in members[1:] if value is not None else ():
+                found = found.with_value(f"{member}.{name}", value) if found is not None else None
+        return found
+
+    def with_count(self, address: str, low: int, high: int = MANY) -> "ParseState | None":
+        """With a narrower count, or None if it does not agree with what was told before."""
+        least, most = self.size_range(address)
+        low, high = max(least, low), min(most, high)
+        if low > high:
+            return None
+        return self if (low, high) == (least, most) else self._replace(counts={**self.counts, address: (low, high)})
+
+    def size_range(self, address: str) -> tuple[int, int]:
+        """Return the least and greatest number of members that a part can have."""
+        return self.counts.get(address, (0, MANY))
+
+    def with_noun(self, kind: type[Body], noun: str) -> "ParseState":
+        """With the noun of a class of bodies."""
+        return self if kind in self.nouns else self._replace(nouns={**self.nouns, kind: noun})
+
+    def introduced(self, address: str, kind: type[Body], letter: str) -> "ParseState":
+        """With a body that was mentioned for the first time."""
+        return self._replace(kinds={**self.kinds, address: kind}, letters={**self.letters, address: letter})
+
+    def kind(self, address: str, base: type[M]) -> type[M]:
+        """Return the class of what stands at an address; TypeError if it is no `base`."""
+        found = self.kinds[address]
+        if not issubclass(found, base):
+            raise TypeError(f"{address} is a {found.__name__}")
+        return found
+
+    def body(self, address: str) -> type[Body]:
+        """Return the class of an introduced body."""
+        return self.kind(address, Body)
+
+    def series(self, kind: type[Body]) -> list[str]:
+        """Return the letters of all introduced bodies of the same series."""
+        if not kind.letters:
+            return []
+        return [letter for address, letter in self.letters.items() if self.body(address).letters == kind.letters]
+
+    def next_letters(self, kind: type[Body], count: int = 1) -> list[str] | None:
+        """Return the letters that the next bodies of a series must have; None if its first one has none."""
+        given = self.series(kind)
+        if not kind.letters or "" in given:
+            return None
+        return [letter_at(kind.letters, len(given) + index) for index in range(count)]
+
+    def knows_noun(self, noun: str) -> bool:
+        """Return whether a body of that noun was introduced."""
+        return any(self.nouns[self.body(address)] == noun for address in self.letters)
+
+    def mention(self, address: str, *, full: bool) -> str:
+        """Return how an introduced body is spoken of."""
+        return called(self.nouns[self.body(address)], self.letters[address], full=full)
+
+    @property
+    def names(self) -> Names:
+        """Return what the text calls all bodies."""
+        return Names({address: letter for address, letter in self.letters.items() if letter}, self.nouns)
+
+    def renamed(self, old: tuple[str, ...], new: tuple[str, ...]) -> "ParseState":
+        """With the bodies at some addresses moved to others."""
+        moved = dict(zip(old, new, strict=True))
+
+        def move(held: Mapping[str, Any]) -> dict[str, Any]:
+            return {_moved(address, moved): value for address, value in held.items()}
+
+        return self._replace(kinds=move(self.kinds), values=move(self.values), letters=move(self.letters))
+
+
+def _moved(address: str, moved: Mapping[str, str]) -> str:
+    if address in moved:
+        return moved[address]
+    owner, dot, name = address.rpartition(".")
+    return moved[owner] + dot + name if owner in moved else address
+
+
+@dataclass(frozen=True, slots=True)
+class Thing:
+    """What stands at an address, as far as declarations tell: a number, a word, a list, or one of some models."""
+
+    measure: Measure | None = None
+    word: Word | None = None
+    choices: tuple[str, ...] = ()
+    several: bool = False
+    models: tuple[type[Model], ...] = ()
+
+
+def thing_at(state: ParseState, address: str) -> Thing:
+    """Return what the declarations say about an address; KeyError for one that leads nowhere."""
+    if address in state.kinds:
+        return Thing(models=(state.kinds[address],))
+    owner, _, step = address.rpartition(".")
+    held = thing_at(state, owner) if owner else Thing()
+    if step.isdigit():
+        return replace(held, several=False)
+    for model in held.models:
+        if issubclass(model, Body) and step in model.words:
+            return Thing(word=model.words[step])
+        if step in field_types(model):
+            kind = field_types(model)[step]
+            return Thing(kind.measure, None, kind.words, kind.count is not None, kind.models)
+    raise KeyError(address)
+
+
+def joined(owner: str, path: str) -> str:
+    """Return the address of a path below an owner."""
+    return f"{owner}.{path}" if owner else path
+
+
+def part_word(state: ParseState, owner: str, path: str) -> Word | None:
+    """Return a word of the part or the connection at an address."""
+    kind = state.kinds.get(owner)
+    return kind.words.get(path) if kind is not None and issubclass(kind, Part | Connection) else None
+
+
+def canonical(address: str, state: ParseState) -> Iterator[tuple[str, ParseState]]:
+    """`first` and `last` as indices; where the last one is not known yet, every possible one."""
+    address = address.replace(".first.", ".0.")
+    owner, _, step = address.rpartition(".")
+    if step == "first":
+        yield f"{owner}.0", state
+    elif step == "last":
+        low, high = state.size_range(owner)
+        for count in range(max(low, 1), high + 1):
+            then = state.with_count(owner, count, count)
+            if then is not None:
+                yield f"{owner}.{count - 1}", then
+    else:
+        yield address, state
+
+
+POWER = " \N{MULTIPLICATION SIGN} 10^"
+NUMBER = re.compile(
+    "\N{MINUS SIGN}?[0-9]{1,40}(?:\\.[0-9]{1,40})?"
+    f"(?:e[+\N{MINUS SIGN}]?[0-9]{{1,3}}|{re.escape(POWER)}\N{MINUS SIGN}?[0-9]{{1,3}})?"
+)
+SYMBOL = re.compile(r"\$([^$\n]{1,40})\$")
+
+
+def meanings(digits: str, unit: str) -> list[tuple[str, float]]:
+    """Return the units that may stand behind a number, each with the number's value in `unit`.
+
+    What is declared in km/s may be told in m/s, too.
+    """
+    number = digits.replace("\N{MINUS SIGN}", "-").replace(POWER, "e")
+    bare, size = coherent(unit)
+    told = [(unit, float(number))]
+    return told if size == 1 else [*told, (bare, float(Decimal(number) / size))]

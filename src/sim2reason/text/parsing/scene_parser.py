@@ -1,0 +1,322 @@
+"""All readings of a text, proven one by one."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from sim2reason.errors import SceneError, TextError, UnsupportedError
+from sim2reason.scenes.dsl.connection import CONNECTIONS, Connection, Leg, Link, ParsedSentence
+from sim2reason.scenes.dsl.entity import ENTITIES, Entity, outer_ports
+from sim2reason.scenes.dsl.ports import Pass
+from sim2reason.scenes.dsl.scene import MAX_ENTITIES, Scene, World
+from sim2reason.scenes.dsl.template import Topic
+from sim2reason.text.parsing.assembly import assembled
+from sim2reason.text.parsing.equivalence import Signature, signature
+from sim2reason.text.parsing.lines import entity_lines, may_begin
+from sim2reason.text.parsing.matcher import NONE_GIVEN, Matcher
+from sim2reason.text.parsing.ordinary.nearest import nearest
+from sim2reason.text.parsing.ordinary.recast import first_unlike, recast
+from sim2reason.text.parsing.ordinary.textbook_reader import LibraryText, library_texts, superfluous
+from sim2reason.text.parsing.parse_state import ParsedConnection, ParseState
+from sim2reason.text.parsing.proof import UnsaidError, prove, unsaid
+from sim2reason.text.parsing.string_routes import free_legs, must_end_at
+from sim2reason.text.parsing.tokens import pieces, shown
+from sim2reason.text.prose.closings import CLOSINGS
+
+MAX_READINGS = 200
+ASKS = r"\boxed"  # how the last sentence of every prompt ends
+IS_PROMPT = "read a text that asks something with sim2reason.parse_prompt"
+PRESUMED_AT_MOST = 3  # closings that a text in ordinary English may leave out
+ENDS = 2  # of a connection
+SHARES = 0.6, 0.3, 0.8, 0.1, 0.9, 0.0, 1.0, 1.5, 2.5, 6.0
+"""Of the way through the range of an unknown, and on beyond it: where a scene may fit together."""
+
+
+@dataclass(frozen=True)
+class ParsedScene:
+    """A scene that was read from a text, with the names in the text.
+
+    Attributes:
+        scene: The scene; a number that the text leaves open has some value in its range.
+        mentions: Names of bodies in the text, such as *block A*, by address.
+        unknown: Symbols, in LaTeX without dollars, of numbers that the text leaves open, by address.
+        without: Topics that the text does not cover.
+        names: Addresses by name; if bodies without letters share a name, that of the first.
+    """
+
+    scene: Scene
+    mentions: dict[str, str]
+    unknown: dict[str, str] = field(default_factory=dict[str, str])
+    without: frozenset[Topic] = frozenset()  # topics on which the text says nothing; its scene has some start then
+
+    def __repr__(self) -> str:
+        """Return the scene on one line, with the symbols of numbers that the text leaves open."""
+        unknown = f", unknown {', '.join(self.unknown.values())}" if self.unknown else ""
+        return f"<ParsedScene: {repr(self.scene)[1:-1]}{unknown}>"
+
+    def __str__(self) -> str:
+        """Return the scene in lines, with the names of bodies in the text."""
+        return "\n".join([str(self.scene), *(f"  {address} is {name}" for address, name in self.mentions.items())])
+
+    @property
+    def names(self) -> dict[str, str]:
+        """Return addresses by name; if bodies without letters share a name, that of the first."""
+        return {name: address for address, name in reversed(self.mentions.items())}
+
+
+def parse_scene(
+    text: str,
+    rng: np.random.Generator | None = None,
+    given: Mapping[str, str] = NONE_GIVEN,
+    *,
+    startless: bool = False,
+) -> ParsedScene:
+    """Read the scene that a text describes.
+
+    The text may be in the words of the library, as `describe` writes it, or in ordinary English. In the latter each
+    sentence must mean exactly what a sentence of the library says, or the whole must be one of the kinds of scene that
+    ``sim2reason.list("textbook_scenes")`` returns. Readings that move alike and use the same names count as one.
+
+    Args:
+        text: The text, without a question.
+        rng: Generator from which numbers are drawn that texts never state; by default one with the seed 0.
+        given: Number with its unit for each symbol, in LaTeX without dollars, that the text has in place of a number.
+        startless: Whether the text may omit initial positions and velocities, as some questions do.
+
+    Returns:
+        The scene with the names of its bodies.
+
+    Raises:
+        TextError: The text describes no scene, or several; the message has the nearest sentence of the library.
+
+    Examples:
+        >>> import sim2reason
+        >>> parsed = sim2reason.parse_scene("A 2 kg block is released from rest on a frictionless 30-degree incline.")
+        >>> parsed
+        <ParsedScene: Scene 'scene': e1 TwoSideMassPlane>
+        >>> parsed.names
+        {'the plane': 'e1.plane', 'the block': 'e1.blocks.0'}
+    """
+    rng = rng if rng is not None else np.random.default_rng(0)
+    said = pieces(text)
+    readings = _readings(said, rng, given, startless=startless)
+    if len(readings.found) == 1:
+        return readings.found[0]
+    plain = readings.stuck is not None and not startless and not given
+    told = _in_ordinary_english(said, rng) if plain else None
+    if told is not None:
+        return told
+    translations = library_texts(text) if plain else []
+    whole = [each for found in translations if not found.missing for each in _parsed(found, rng)]
+    if len(whole) == 1:
+        return whole[0]
+    stuck = superfluous(said) or readings.stuck or 0
+    raise _sent_on(text, _with_missing(_with_nearest(stuck, said), translations) if plain else readings.refusal())
+
+
+@dataclass(frozen=True)
+class _Readings:
+    """All readings of a text that are proven, and why others are not, each with the number of facts that it lacks."""
+
+    found: list[ParsedScene]
+    refused: list[tuple[int, TextError]]
+    matcher: Matcher
+
+    @property
+    def unsaid(self) -> list[str]:
+        """Return the names of the closing sentences, such as *rest*, whose absence is why a reading was refused."""
+        return list(dict.fromkeys(error.name for _, error in self.refused if isinstance(error, UnsaidError)))
+
+    @property
+    def stuck(self) -> int | None:
+        """Return the index of the first sentence that no reading understands; None if some reading understands all."""
+        reach = self.matcher.reach
+        return reach if not self.found and not self.refused and reach < len(self.matcher.pieces) else None
+
+    def refusal(self) -> TextError:
+        """Return why there is not exactly one reading."""
+        if self.found:
+            one, other = (_described(reading.scene) for reading in self.found[:2])
+            return TextError("text", f"it tells two scenes: {one}; or {other}", "say more")
+        if self.refused:
+            return min(self.refused, key=lambda each: each[0])[1]  # of the reading of which least is missing
+        if self.stuck is None:
+            return TextError("text", "it ends before all is told", "give the whole text of one scene")
+        return _unread(self.stuck, self.matcher.pieces[self.stuck])
+
+
+def _in_ordinary_english(said: tuple[str, ...], rng: np.random.Generator) -> ParsedScene | None:
+    """Return the scene of a text in ordinary English, recast in the library's sentences; None if there is none."""
+    for first in recast(said):
+        waiting = [first]
+        for told in waiting:  # grows as it is walked through
+            readings = _readings(told.said, rng, NONE_GIVEN)
+            if len(readings.found) == 1 and told.whole:
+                return readings.found[0]
+            if len(told.added) < PRESUMED_AT_MOST:
+                more = (told.adding(name) for name in readings.unsaid)
+                waiting.extend(text for text in more if text is not None and text not in waiting)
+    return None
+
+
+def _parsed(translation: LibraryText, rng: np.random.Generator) -> list[ParsedScene]:
+    """Parse a translated text; the list is empty if a number is out of range, such as a slope of 95°."""
+    return _readings(pieces(translation.text), rng, NONE_GIVEN).found
+
+
+def _readings(
+    said: tuple[str, ...], rng: np.random.Generator, given: Mapping[str, str], *, startless: bool = False
+) -> _Readings:
+    """Return all readings of a text in the library's own sentences."""
+    matcher = Matcher(said, given)
+    found: dict[Signature, ParsedScene] = {}
+    refused: list[tuple[int, TextError]] = []
+    states = _Grammar(matcher).scenes(0, ParseState({"world": World}))
+    for count, state in enumerate(state for state in states if startless or "start" not in state.without):
+        if count == MAX_READINGS:
+            raise TextError("text", "it can be read in too many ways", "give the text of one scene")
+        for share in SHARES if state.unknowns else SHARES[:1]:
+            lacking = 0
+            try:
+                scene = assembled(state, rng, share)
+                lacking = len(unsaid(scene, state))
+                prove(scene, state, said, given)
+                found.setdefault(*_read(scene, state))
+                break
+            except TextError as error:
+                refused.append((lacking, error))
+            except (SceneError, UnsupportedError, ValueError) as error:
+                refused.append((lacking, TextError("text", "it tells a scene that can not be", str(error))))
+    return _Readings(list(found.values()), refused, matcher)
+
+
+def _read(scene: Scene, state: ParseState) -> tuple[Signature, ParsedScene]:
+    """Return a proven reading, and what it has in common with those that mean the same."""
+    names = {address: state.mention(address, full=True) for address in state.letters}
+    unknown = {path: symbol.strip("$") for path, symbol in state.unknowns.items()}
+    return signature(scene, names), ParsedScene(scene, names, unknown, state.without)
+
+
+def _sent_on(text: str, error: TextError) -> TextError:
+    """Return the same, with what reads prompts where the text is one."""
+    return TextError(error.place, error.problem, IS_PROMPT) if ASKS in text else error
+
+
+def _unread(index: int, sentence: str, near: str | None = None) -> TextError:
+    """Return the error for a sentence that is not understood, with the nearest sentence of the library."""
+    remedy = f"the nearest that is: {near!r}" if near else "say it in the words of the library, or leave it out"
+    return TextError(f"sentence {index + 1}", f"{shown(sentence)} is not understood", remedy)
+
+
+def _with_nearest(stuck: int, said: tuple[str, ...]) -> TextError:
+    """Return the error for a text that is no scene; it names the first unknown sentence at or after number `stuck`."""
+    unlike = first_unlike(said[stuck:])
+    told = next(recast(said), None) if unlike is None else None
+    if told is not None:
+        words = f"in the library's words: {' '.join(told.said)}"
+        return TextError("text", "its sentences make no scene together", words)
+    index = stuck + (unlike or 0)
+    return _unread(index, said[index], nearest(said[index]))
+
+
+def _with_missing(error: TextError, translations: list[LibraryText]) -> TextError:
+    """Return the error for a text that could not be read; if only facts are missing, it names them first."""
+    if not translations or not all(found.missing for found in translations):
+        return error
+    lacks = ", ".join(min((found.missing for found in translations), key=len))
+    return TextError(error.place, f"the text does not state {lacks}; {error.problem}", error.remedy)
+
+
+def _described(scene: Scene) -> str:
+    """Return the entities of a scene and how they are joined, in one line."""
+    kinds = ", ".join(f"{named.name} a {type(named.entity).__name__}" for named in scene.entities)
+    joined = ", ".join("-".join(map(str, connection.links)) for connection in scene.connections)
+    return f"{kinds}{' joined by ' if joined else ''}{joined}"
+
+
+class _Grammar:
+    """The order of a text: entities' lines, each string after those of the entities on it, then the closings."""
+
+    def __init__(self, matcher: Matcher) -> None:
+        self._matcher = matcher
+        self._silent = [kind for kind in ENTITIES.values() if any(self._unheard(ParseState({}), "e", kind))]
+
+    def _unheard(self, state: ParseState, address: str, kind: type[Entity]) -> Iterator[ParseState]:
+        """Yield an entity of which no line is said: its bodies are met on a string."""
+        here = state.with_kind(address, kind)._replace(entities=(*state.entities, address))
+        for _, then in entity_lines(self._matcher, address, len(self._matcher.pieces), here):
+            yield then
+
+    def scenes(self, place: int, state: ParseState) -> Iterator[ParseState]:
+        """Yield all readings of the pieces from `place` on."""
+        yield from self._entities(place, state)
+        yield from self._strings(place, state)
+        yield from self._closings(place, 0, state)
+
+    def _entities(self, place: int, state: ParseState) -> Iterator[ParseState]:
+        address = f"e{len(state.entities) + 1}"
+        for kind in ENTITIES.values() if len(state.entities) < MAX_ENTITIES else ():
+            if not may_begin(self._matcher, kind, place):
+                continue
+            here = state.with_kind(address, kind)
+            here = here._replace(entities=(*state.entities, address), waiting=(*state.waiting, address))
+            for after, then in entity_lines(self._matcher, address, place, here):
+                if after > place and sum(must_end_at(then, waiting) for waiting in then.waiting) <= ENDS:
+                    yield from self.scenes(after, then)
+
+    def _strings(self, place: int, state: ParseState) -> Iterator[ParseState]:
+        for kind in CONNECTIONS.values():
+            name = f"{kind.key}_{len(state.joined) + 1}"
+            for told in kind.parse(name, place, state, self._matcher, self):
+                then = _joined_on(name, kind, told)
+                if then is not None:
+                    yield from self.scenes(place + 1, then)
+
+    def _closings(self, place: int, number: int, state: ParseState) -> Iterator[ParseState]:
+        """Yield the closings from a number on, each of which may be needed or not."""
+        if place == len(self._matcher.pieces):
+            yield state
+            return
+        for index, closing in enumerate(CLOSINGS[number:], start=number):
+            for choice, wording in enumerate(closing.spoken):
+                if not self._matcher.may_be(place, wording):
+                    continue
+                here = state.with_choice(choice)._replace(closings=(*state.closings, closing.name))
+                for then in self._matcher.sentence(place, wording, "", here):
+                    yield from self._closings(place + 1, index + 1, then)
+
+    def legs(self, kind: type[Connection], state: ParseState, links: tuple[Link, ...]) -> Iterator[Leg[ParseState]]:
+        """Free ports of entities that were parse_scene, or of new ones that have no lines."""
+        passed = {link.entity for link in links}
+        for address in state.entities:
+            if address not in passed:
+                yield from free_legs(kind, state, address, first=not links)
+        address = f"e{len(state.entities) + 1}"
+        for silent in self._silent if len(state.entities) < MAX_ENTITIES else ():
+            for then in self._unheard(state, address, silent):
+                yield from free_legs(kind, then, address, first=not links)
+
+
+def _joined_on(name: str, kind: type[Connection], told: ParsedSentence[ParseState]) -> ParseState | None:
+    """Return what was read, with a connection; None if lines that wait for it came in another order than it goes.
+
+    The Writer tells the lines of entities in the order of the links, but a string from the end that makes
+    the better sentence; so if the lines came the other way round, the links are the other way round.
+    """
+    state, links = told.state, told.links
+    on = [link.entity for link in links if link.entity in state.waiting]
+    if sorted(on) != sorted(state.waiting):
+        return None
+    if list(state.waiting) != on:
+        if list(state.waiting) != on[::-1]:
+            return None
+        state = state.renamed(told.owned, told.owned[::-1])
+        links = tuple(_turned(state, link) for link in reversed(links))
+    return state._replace(waiting=(), joined=(*state.joined, ParsedConnection(name, kind, links)))
+
+
+def _turned(state: ParseState, link: Link) -> Link:
+    """Return a link as it is passed from the other side."""
+    passed = isinstance(outer_ports(state.kind(link.entity, Entity))[link.port], Pass)
+    return Link(entity=link.entity, port=link.port, flipped=link.flipped != passed)

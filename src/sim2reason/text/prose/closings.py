@@ -1,0 +1,275 @@
+"""What is true of a whole scene and said at the end of its text, each only where it matters."""
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+from math import hypot
+
+from sim2reason.scenes.dsl.ablation import weighs, would_weigh
+from sim2reason.scenes.dsl.frames import Frames, start
+from sim2reason.scenes.dsl.mechanism import ConstantTension, Inextensible, Meeting
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.template import Role, Topic
+from sim2reason.scenes.dsl.vectors import minus, product
+
+
+@dataclass(frozen=True, slots=True)
+class Closing:
+    """A sentence in its wordings, and the scenes that need it.
+
+    `of_symbol` is the wording where its number is a symbol, which none of the others would then define. One with a
+    `topic` is told only for a question that it matters to.
+    """
+
+    name: str
+    needed: Callable[[Scene], bool]
+    wordings: tuple[str, ...]
+    role: Role = "assumption"
+    of_symbol: str = ""
+    topic: Topic | None = None
+
+    @property
+    def spoken(self) -> tuple[str, ...]:
+        """All its wordings, that of a symbol last."""
+        return (*self.wordings, self.of_symbol) if self.of_symbol else self.wordings
+
+
+def _from_rest(scene: Scene) -> bool:
+    return bool(scene.mechanism.coordinates) and scene.starts_from_rest
+
+
+def _strings(scene: Scene) -> int:
+    """How many strings there are, 2 standing for more; none if all that can be slack are told to be taut already.
+
+    A massive pulley parts one string into several lines.
+    """
+    taut = tuple(f"{named.name}." for named in scene.entities if named.entity.tells_taut)
+    lines = [line for line in scene.mechanism.lines if isinstance(line.law, Inextensible | ConstantTension)]
+    left = [line for line in lines if isinstance(line.law, Inextensible) and not line.name.startswith(taut)]
+    return min(2, len({line.name.partition("/")[0] for line in lines})) if left else 0
+
+
+def _slackens(scene: Scene) -> bool:
+    return any(named.entity.slackens for named in scene.entities)
+
+
+def is_lone(scene: Scene) -> bool:
+    """Return whether nothing but one body moves."""
+    return sum(bool(body.coordinates) for body in scene.mechanism.bodies) == 1
+
+
+def _has_massive_pulley(scene: Scene) -> bool:
+    pulleys = (body for body in scene.bodies.values() if body.nouns[0] == "pulley")
+    return any(getattr(body, "mass", 0.0) > 0.0 for body in pulleys)
+
+
+def _turns(scene: Scene) -> int:
+    """Return how many pulleys there are to speak of; small ones at corners count, too, each once for both its sides."""
+    mechanism = scene.mechanism
+    corners = {site for line in mechanism.lines for site in line.through[1:-1]}
+    wheels = {f"{address}." for address, body in scene.bodies.items() if body.nouns[0] == "pulley"}
+    return len(wheels) + len({corner for corner in corners if corner.rpartition(".")[0] + "." not in wheels})
+
+
+def _has_edges(scene: Scene) -> bool:
+    """Whether something lies on a face that has an end: on a body that moves. Planes fixed in the room have none."""
+    mechanism = scene.mechanism
+    parents = {body.name: body.parent for body in mechanism.bodies}
+    moving = {body.name for body in mechanism.bodies if body.coordinates}
+    return any(parents[face.subject] in moving for face in mechanism.faces)
+
+
+def _has_faces(scene: Scene) -> bool:
+    return _turns(scene) == 0 and _has_edges(scene)
+
+
+TOUCHING = 1e-9  # m; a gap that is none
+RELEASES = (
+    "everything is released from rest{taut}.",
+    "everything starts from rest{taut}.",
+    "all bodies are released from rest{taut}.",
+    "everything is held at rest{taut}, and then released.",
+    "the motion starts from rest{taut}.",
+    "the system is released from rest{taut}.",
+    "all bodies are held at rest{taut}, and let go together.",
+    "until t = 0 everything is held at rest{taut}.",
+    "the system starts from rest{taut}.",
+    "the bodies are held at rest{taut}, and then let go.",
+    "the bodies are released from rest{taut}.",
+)
+LONE_RELEASES = (
+    "the motion starts from rest{taut}.",
+    "the motion begins from rest{taut}.",
+)
+TAUT = ("", " with the string taut", " with all strings taut")
+STRETCHED = (
+    (),
+    ("the string is taut at the start.", "the string is taut at first.", "when the motion begins, the string is taut."),
+    (
+        "all strings are taut at the start.",
+        "all strings are taut at first.",
+        "when the motion begins, all strings are taut.",
+    ),
+)
+
+
+def _release(strings: int, *, lone: bool) -> Closing:
+    """Return a start from rest of one body or several, on so many strings."""
+    wordings = LONE_RELEASES if lone else RELEASES
+    return Closing(
+        f"rest{' of one body' * lone}{TAUT[strings]}",
+        lambda scene: _from_rest(scene) and _strings(scene) == strings and is_lone(scene) is lone,
+        tuple(wording.replace("{taut}", TAUT[strings]) for wording in wordings),
+        role="start",
+    )
+
+
+def _stretched(strings: int) -> Closing:
+    """Taut strings where the start itself is told by entities."""
+    return Closing(
+        f"start{TAUT[strings]}",
+        lambda scene: not _from_rest(scene) and _strings(scene) == strings,
+        STRETCHED[strings],
+        role="fact",
+    )
+
+
+TURNING = {  # by whether there are several pulleys, and whether any has mass
+    (False, False): (
+        "the pulley is frictionless",
+        "there is no friction at the pulley",
+        "friction at the pulley is negligible",
+        "the pulley turns freely",
+    ),
+    (True, False): (
+        "the pulleys are frictionless",
+        "there is no friction at pulleys",
+        "friction at pulleys is negligible",
+        "pulleys turn without friction",
+    ),
+    (False, True): (
+        "the pulley turns without friction, no string slips on it",
+        "no string slips on the pulley, which turns freely",
+        "the axle is frictionless, no string slips on the pulley",
+    ),
+    (True, True): (
+        "pulleys turn without friction, no string slips on them",
+        "no string slips on the pulleys, which turn freely",
+        "axles are frictionless, no string slips on a pulley",
+    ),
+}
+ROOM = {  # by whether there are several pulleys, and whether there are edges
+    (False, False): ("every string is long enough", "no body reaches it", "there is ample room to move"),
+    (True, False): ("no body reaches a pulley", "every string is long enough", "all strings are long enough"),
+    (False, True): (
+        "no body reaches an edge",
+        "there is ample room to move",
+        "all surfaces are long enough",
+    ),
+    (True, True): (
+        "no body reaches a pulley or an edge",
+        "there is ample room to move",
+        "all strings and surfaces are long enough",
+    ),
+}
+_EITHER = (False, True)
+
+
+def _pulleys(several: bool, massive: bool, edges: bool) -> Closing:  # noqa: FBT001 - the three ways in which they differ
+    """Return how pulleys turn, and that there is room: one sentence, and only where there are pulleys."""
+
+    def needed(scene: Scene) -> bool:
+        count = _turns(scene)
+        return count > 0 and (count > 1, _has_massive_pulley(scene), _has_edges(scene)) == (several, massive, edges)
+
+    pulleys = "massive " * massive + ("pulleys" if several else "pulley")
+    told = tuple(f"{turning}, and {room}." for turning in TURNING[several, massive] for room in ROOM[several, edges])
+    return Closing(f"{pulleys} and room{' on faces' * edges}", needed, told)
+
+
+def _touches(scene: Scene) -> bool:
+    """Return whether a pair that may bounce is in contact at the start of a scene with several such pairs."""
+    mechanism = scene.mechanism
+    bouncing = [meeting for meeting in mechanism.meetings if meeting.restitution > 0.0]
+    if len(bouncing) < 2:
+        return False
+    frames = start(mechanism)
+    return any(_gap(frames, meeting) <= TOUCHING for meeting in bouncing)
+
+
+def _gap(frames: Frames, meeting: Meeting) -> float:
+    """Return the gap at the start, m, between two bodies, or between a body and a surface."""
+    other = frames.center(meeting.b).place
+    apart = other if meeting.a is None else minus(other, frames.center(meeting.a).place)
+    return float(hypot(*apart) if meeting.normal is None else product(meeting.normal, apart)) - meeting.distance
+
+
+CLOSINGS: tuple[Closing, ...] = (
+    *(_release(strings, lone=lone) for lone in (False, True) for strings in range(3)),
+    *(_stretched(strings) for strings in (1, 2)),
+    Closing(
+        "slack string",
+        _slackens,
+        (
+            "whenever the string becomes taut again, the velocity along it is lost.",
+            "each time the slack string becomes taut, the velocity along it is lost.",
+            "if the string goes slack and becomes taut again, the velocity along it is lost at that moment.",
+        ),
+        topic="slack",
+    ),
+    Closing(
+        "touching bodies",
+        _touches,
+        (
+            "bodies that touch collide in pairs, one pair after the other.",
+            "where several bodies touch, collisions pass from pair to pair.",
+            "each collision is one of two bodies, also where several touch.",
+        ),
+    ),
+    *(_pulleys(several, massive, edges) for several in _EITHER for massive in _EITHER for edges in _EITHER),
+    Closing(
+        "room on faces",
+        _has_faces,
+        ("no body reaches an edge.", "all surfaces are long enough.", "there is ample room to move."),
+    ),
+    Closing(
+        "g",
+        lambda scene: weighs(scene.mechanism) or (not scene.world.gravity and would_weigh(scene.mechanism)),
+        (
+            "take g = {world.gravity}.",
+            "use g = {world.gravity}.",
+            "here g = {world.gravity}.",
+            "let g = {world.gravity}.",
+            "the free-fall acceleration is g = {world.gravity}.",
+            "the acceleration due to gravity is g = {world.gravity}.",
+            "the acceleration of free fall is g = {world.gravity}.",
+        ),
+        of_symbol="the acceleration of free fall is {world.gravity}.",
+    ),
+)
+
+
+RESTS: dict[str, str] = {
+    (wording[0].upper() + wording[1:]).replace("{taut}", taut): taut
+    for wording in (*RELEASES, *LONE_RELEASES)
+    for taut in TAUT
+}
+"""All sentences that say that all starts from rest, and what each says of strings."""
+
+
+def closings(scene: Scene) -> list[Closing]:
+    """Return the closings that a scene needs, in the order in which they are said."""
+    return [closing for closing in CLOSINGS if closing.needed(scene)]
+
+
+def is_assumption(sentence: str) -> bool:
+    """Return whether a sentence is one of the closings on what holds throughout."""
+    return _assumptions().fullmatch(sentence) is not None
+
+
+@cache
+def _assumptions() -> re.Pattern[str]:
+    told = [wording for closing in CLOSINGS if closing.role == "assumption" for wording in closing.spoken]
+    shown = (re.escape(wording[:1].upper() + wording[1:]) for wording in told)
+    return re.compile("|".join(re.sub(r"\\\{.*?\\\}", r"\\S.{0,30}", wording) for wording in shown))

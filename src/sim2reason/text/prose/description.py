@@ -1,0 +1,156 @@
+"""A scene in words, as whoever reads them needs it: sentences, names and symbols; a first pass finds their order."""
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from sim2reason.base.record import abridged
+from sim2reason.errors import SceneError
+from sim2reason.scenes.dsl.body import Body
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.template import Role, Topic
+from sim2reason.scenes.files import SceneLike, scene_of
+from sim2reason.text.prose.phrases import Names, letters, paragraphs
+from sim2reason.text.prose.voices import Voice, VoiceName, numeric, voice_of
+from sim2reason.text.prose.writer import Writer
+
+
+@dataclass(frozen=True)
+class Description:
+    """The text of a scene with the names and symbols in it.
+
+    Attributes:
+        scene: The scene.
+        sentences: Sentences in order.
+        names: Names of bodies.
+        symbols: Symbols of numbers in LaTeX, by address.
+        roles: Roles of those sentences that are not mere facts.
+        told: Addresses of the stated numbers, in order.
+        seed: Seed of the wording.
+        voice: Function that writes a number, as a number or as its symbol.
+        without: Topics that were left out.
+        topics: Topics that the text covers.
+        dry: The writer of the first pass, if it is known.
+        text: The sentences as one paragraph; a table has lines of its own.
+        symbolic: Addresses of the numbers that appear only as symbols, in order.
+    """
+
+    scene: Scene
+    sentences: tuple[str, ...]
+    names: Names
+    symbols: dict[str, str]
+    roles: Mapping[str, Role] = field(default_factory=dict[str, Role])  # of sentences that are no mere facts
+    told: tuple[str, ...] = ()  # the addresses of all numbers that are told, in the order of telling
+    seed: int = 0
+    voice: Voice = numeric
+    without: frozenset[Topic] = frozenset()  # topics on which it says nothing
+    topics: frozenset[Topic] = frozenset()  # those on which it says something
+    dry: Writer | None = field(default=None, compare=False, repr=False)  # of the first pass, if it is known
+
+    @property
+    def text(self) -> str:
+        """Return the sentences as one paragraph; a table has lines of its own."""
+        return paragraphs(self.sentences)
+
+    @property
+    def symbolic(self) -> tuple[str, ...]:
+        """Return the addresses of the numbers that appear only as symbols, in order."""
+        own = {p.path: p for p in self.scene.parameters}
+        said = [(own[path], self.symbols[path]) for path in self.told if path in own and path in self.symbols]
+        return tuple(p.path for p, symbol in said if self.voice(p, symbol) != numeric(p, symbol))
+
+    def __repr__(self) -> str:
+        """Return the name of the scene and the beginning of the text."""
+        return f"<Description of {self.scene.name!r}: {abridged(self.text)!r}>"
+
+    def __str__(self) -> str:
+        """Return the text of the description."""
+        return self.text
+
+    def role(self, sentence: str) -> Role:
+        """Return the role of one of the sentences."""
+        return self.roles.get(sentence, "fact")
+
+    def voiced(self, voice: Voice) -> "Description":
+        """Return a description of the same sentences in another voice."""
+        return self._written(voice, self.without)
+
+    def leaving_out(self, topics: Collection[Topic]) -> "Description":
+        """Return a description without the sentences on some topics."""
+        return self._written(self.voice, topics) if topics else self
+
+    def _written(self, voice: Voice, without: Collection[Topic]) -> "Description":
+        """Write the text again after the first pass, which depends on the scene and the seed alone."""
+        dry = self.dry if self.dry is not None else draft(self.scene, self.seed)[1]
+        return written(dry, self.seed, voice, without)
+
+    def mention(self, address: str) -> str:
+        """Return the name of a body in the text; SceneError if the text does not mention it."""
+        if address not in self.scene.bodies:
+            raise SceneError(address, "the text mentions no such body", "ask about one that it mentions")
+        return self.names.mention(address, self.scene.bodies[address])
+
+
+def describe(
+    scene: SceneLike,
+    seed: int = 0,
+    voice: Voice | VoiceName = numeric,
+    without: Collection[Topic] = (),
+    *,
+    hide: Collection[str] = (),
+) -> Description:
+    r"""Describe a scene in words.
+
+    The seed alone selects the wording, so that all voices use the same sentences.
+
+    Args:
+        scene: A scene, the path of its file, its YAML text, an item about it, or the result of `parse_scene`.
+        seed: Seed of the wording and of the nouns for bodies.
+        voice: ``numeric``, ``symbolic``, or a function that takes a parameter and its symbol and returns its text.
+        without: Topics to leave out: ``axes``, ``slack`` or ``start``.
+        hide: Addresses of numbers to replace by their symbols, such as ``ramp.block.mass``.
+
+    Returns:
+        The description; `str` gives its text.
+
+    Raises:
+        TypeError: `scene` is of another type.
+        SceneError: `hide` has an address at which the text states no number.
+
+    Examples:
+        >>> import sim2reason
+        >>> scene = sim2reason.parse_scene("A 2 kg block is released from rest on a frictionless 30-degree incline.")
+        >>> print(sim2reason.describe(scene))
+        A block ... inclined at 30° to the horizontal. ...
+        >>> print(sim2reason.describe(scene, hide=["e1.plane.angle"]))
+        A block ... inclined at $\theta$ to the horizontal. ...
+    """
+    scene = scene_of(scene, "describe")
+    return written(draft(scene, seed)[1], seed, voice_of(scene.parameters, voice, hide), without)
+
+
+def written(dry: Writer, seed: int = 0, voice: Voice = numeric, without: Collection[Topic] = ()) -> Description:
+    """Write the text of a scene in a second pass, after a first pass by `dry`."""
+    scene = dry.scene
+    names = Names(letters(dry.introduced, scene.bodies), dry.names.nouns)
+    final = Writer(scene, names, np.random.default_rng([seed, 2]), voice, tuple(dry.told), without)
+    said, order, left_out = tuple(final.sentences()), tuple(final.told), frozenset(without)
+    topics = frozenset(final.topics)
+    return Description(scene, said, names, final.symbols, final.roles, order, seed, voice, left_out, topics, dry)
+
+
+def draft(scene: Scene, seed: int = 0) -> tuple[list[str], Writer]:
+    """Write the first pass of a text; return its sentences and its writer."""
+    nouns = _nouns(scene, np.random.default_rng([seed, 1]))
+    writer = Writer(scene, Names(nouns=nouns), np.random.default_rng([seed, 2]), numeric)
+    return writer.sentences(), writer
+
+
+def _nouns(scene: Scene, rng: np.random.Generator) -> dict[type[Body], str]:
+    """Draw a noun for each class of bodies, the first twice as often as any other, or if another suits not all."""
+    classes = sorted({type(body) for body in scene.bodies.values()}, key=lambda held: held.__name__)
+    drawn = {held: held.nouns[max(0, int(rng.integers(-1, len(held.nouns))))] for held in classes}
+    bodies = scene.bodies
+    misnamed = {type(body) for body in bodies.values() if not body.suits(drawn[type(body)], bodies)}
+    return {held: held.nouns[0] if held in misnamed else noun for held, noun in drawn.items()}

@@ -1,0 +1,239 @@
+"""Names, phrases and tables of the text of a scene."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, Protocol, cast
+
+from sim2reason.scenes.dsl.addresses import lookup
+from sim2reason.scenes.dsl.body import Body
+from sim2reason.scenes.dsl.measures import show_unit
+from sim2reason.scenes.dsl.model import Model, Parameter, field_types
+from sim2reason.scenes.dsl.template import Saying, Wordings, wordings
+
+_ENDS = {"first": 0, "last": -1}
+
+
+BODIES = "bodies"
+"""The plural of several that are not all of one kind."""
+
+
+def alike(members: tuple[object, ...]) -> bool:
+    """Return whether all are of one kind."""
+    return len({type(member) for member in members}) == 1
+
+
+def paragraphs(sentences: Iterable[str]) -> str:
+    """Sentences as one paragraph; a table stands on lines of its own."""
+    return " ".join(sentences).replace(" \n\n", "\n\n").replace("\n\n ", "\n\n").strip()
+
+
+def join(items: list[str], last: str = " and ") -> str:
+    """A, B and C."""
+    return items[0] if len(items) == 1 else ", ".join(items[:-1]) + last + items[-1]
+
+
+def another(text: str) -> str:
+    """Return an introduction of a second of its kind."""
+    for article in ("a ", "an "):
+        if text.startswith(article):
+            return "another " + text[len(article) :]
+    return text
+
+
+def introductions(kind: type[Body], *, again: bool) -> tuple[str, ...]:
+    """Return the templates that introduce a body without a letter, for the first time or `again`."""
+    return (kind.again or tuple(map(another, kind.lone))) if again else kind.lone
+
+
+def canonical(part: Model, path: str) -> str:
+    """`first` and `last` as indices; before a word of a member only `first`."""
+    steps = path.replace(".first.", ".0.").split(".")
+    if steps[-1] in ("first", "last"):
+        members = lookup(part, ".".join(steps[:-1]))
+        steps[-1] = "0" if steps[-1] == "first" else str(len(members) - 1)
+    return ".".join(steps)
+
+
+def spoken(saying: Saying, part: Any) -> tuple[str, ...]:
+    """Return the templates for a sentence about a part, which may depend on the presence of an optional number."""
+    given = isinstance(saying, Wordings) and saying.given
+    return wordings(saying, given=bool(given) and resolved(part, str(given)) is not None)
+
+
+def resolved(part: Any, path: str) -> Any:
+    """Return what a slot speaks of; a word of a body stands for the body itself."""
+    held: Any = part
+    for step in path.split("."):
+        if held is None:
+            return None
+        if isinstance(held, tuple):
+            held = cast("tuple[Any, ...]", held)[_ENDS[step] if step in _ENDS else int(step)]
+        elif isinstance(held, Body) and step in held.words:
+            return held
+        else:
+            held = getattr(held, step)
+    return held
+
+
+@dataclass(frozen=True)
+class Names:
+    """The letter of each body (empty for a lone one) and the noun that each class goes by in this text."""
+
+    letters: Mapping[str, str] = field(default_factory=dict[str, str])
+    nouns: Mapping[type[Body], str] = field(default_factory=dict[type[Body], str])
+
+    def noun(self, body: Body) -> str:
+        """Return the everyday word for a body in this text."""
+        return self.nouns.get(type(body), body.nouns[0])
+
+    def mention(self, address: str, body: Body, *, full: bool = True) -> str:
+        """Return how a body that was introduced is spoken of: *the block*, *block A*, or *A* where `full` is off."""
+        return called(self.noun(body), self.letters.get(address, ""), full=full)
+
+
+def called(noun: str, letter: str, *, full: bool) -> str:
+    """Return a body by its noun and its letter, if it has one; a digit alone would pass for a number."""
+    if not letter:
+        return f"the {noun}"
+    return f"{noun} {letter}" if full or letter[0].isdigit() else letter
+
+
+def listed(noun: str, letters: list[str], *, full: bool) -> str:
+    """Several bodies of one noun by their letters: *blocks A and B*, or *A and B* where `full` is off."""
+    plural = f"{noun}s " if full or letters[0][:1].isdigit() else ""
+    return plural + join(letters)
+
+
+def letters(order: Iterable[str], bodies: Mapping[str, Body]) -> dict[str, str]:
+    """Letters by address, in the order of first mention; a lone body of its series has none.
+
+    Classes with the same series share it, as if there had never been groups.
+    """
+    series: dict[str, list[str]] = {}
+    for address in order:
+        if bodies[address].letters:
+            series.setdefault(bodies[address].letters, []).append(address)
+    found: dict[str, str] = {}
+    for alphabet, members in series.items():
+        if len(members) > 1:
+            found.update({address: letter_at(alphabet, index) for index, address in enumerate(members)})
+    return found
+
+
+def letter_at(alphabet: str, index: int) -> str:
+    """Return the letter at a place of a series; after its end the series begins again with a digit."""
+    turn, place = divmod(index, len(alphabet))
+    return alphabet[place] + (str(turn + 1) if turn else "")
+
+
+def symbols(parameters: Iterable[Parameter], bodies: Mapping[str, Body], names: Names) -> dict[str, str]:
+    """Return a LaTeX symbol for every parameter: m_A where the body has a letter, else m, else m with the noun."""
+    wanted: dict[str, list[str]] = {}
+    for parameter in parameters:
+        owner, _, name = parameter.path.rpartition(".")
+        body = bodies.get(owner)
+        base = (body.symbols.get(name) if body else None) or parameter.measure.symbol
+        letter = names.letters.get(owner, "")
+        wanted.setdefault(_subscript(base, letter), []).append(parameter.path)
+    found: dict[str, str] = {}
+    for symbol, paths in wanted.items():
+        for number, path in enumerate(paths, start=1):
+            found[path] = symbol if len(paths) == 1 else _subscript(symbol, str(number))
+    return found
+
+
+def _subscript(base: str, mark: str) -> str:
+    if not mark:
+        return base
+    stem, _, inner = base.partition("_")
+    inner = inner.strip("{}")
+    joined = inner + ("," if inner else "") + mark
+    return f"{stem}_{joined}" if len(joined) == 1 else f"{stem}_{{{joined}}}"
+
+
+LEAD_INS = (
+    "the table gives each {noun}'s {columns}.",
+    "the table shows the {columns} of each {noun}.",
+    "each {noun} has the {columns} that the table gives.",
+    "for each {noun} the table lists the {columns}.",
+)
+
+
+class RowWriter(Protocol):
+    """What a table needs of whoever writes the text around it."""
+
+    names: Names
+
+    def choose(self, options: tuple[str, ...]) -> str:
+        """Return one of several wordings."""
+        ...
+
+    def finish(self, sentence: str) -> str:
+        """Return a rendered sentence with its capital."""
+        ...
+
+    def at(self, address: str) -> str:
+        """Return what the text has for an address."""
+        ...
+
+    def render(self, template: str, address: str) -> str:
+        """Return a template of the part at an address."""
+        ...
+
+
+def headings(kind: type[Body]) -> dict[str, str]:
+    """Return the heading of every spoken column, by field: its symbol and unit."""
+    found: dict[str, str] = {}
+    for name, held in field_types(kind).items():
+        if held.measure is not None and not held.hidden:
+            symbol = kind.symbols.get(name, held.measure.symbol)
+            unit = show_unit(held.measure.unit)
+            found[name] = f"${symbol}$" + (f" ({unit})" if unit else "")
+    return found
+
+
+def table(writer: RowWriter, leads: tuple[str, ...], where: list[str], members: tuple[Body, ...]) -> list[str]:
+    """Return a lead-in, one of `leads`, the columns that agree in sentences, the others as Markdown rows."""
+    noun, kind = writer.names.noun(members[0]), type(members[0])
+    columns = headings(kind)
+    shared = [name for name in columns if _agrees(writer, name, where, members)]
+    shown = [name for name in columns if name not in shared]
+    owner = where[0].rpartition(".")[0].rpartition(".")[0]
+    lead = writer.finish(writer.render(introduced(writer.choose(leads or LEAD_INS), noun, kind, shown), owner))
+    said = [f"{shared_start(kind, name)}{writer.at(f'{where[0]}.{name}')}." for name in shared]
+    rows: list[tuple[str, ...]] = [(noun, *(columns[name] for name in shown))]
+    rows.append(tuple("---" for _ in rows[0]))
+    for address in where:
+        cells = [_cell(writer.at(f"{address}.{name}")) for name in shown]
+        rows.append((writer.names.letters.get(address, ""), *cells))
+    drawn = "\n".join("| " + " | ".join(row) + " |" for row in rows)
+    return [lead, *said, f"\n\n{drawn}\n\n"]
+
+
+def _agrees(writer: RowWriter, name: str, where: list[str], members: tuple[Body, ...]) -> bool:
+    """Return whether a column has the same number in all rows, and none of them alone is an unknown."""
+    said = {writer.at(f"{address}.{name}") for address in where}
+    return len({getattr(member, name) for member in members}) == 1 and len(said) in (1, len(where))
+
+
+def introduced(lead: str, noun: str, kind: type[Body], shown: list[str]) -> str:
+    """Return a lead-in with the noun of the rows and the names of the columns."""
+    columns = join(list(dict.fromkeys(_name(kind, name) for name in shown)))
+    return lead.replace("{noun}", noun).replace("{columns}", columns)
+
+
+def shared_start(kind: type[Body], name: str) -> str:
+    """How the sentence on a column that agrees begins, up to the number: by name, or by symbol if two share it."""
+    names = [_name(kind, other) for other in headings(kind)]
+    mine = _name(kind, name)
+    return f"Each has the {mine} " if names.count(mine) == 1 else f"Each has {headings(kind)[name].split(' (')[0]} = "
+
+
+def _name(kind: type[Body], name: str) -> str:
+    measure = field_types(kind)[name].measure
+    return measure.name if measure is not None else name
+
+
+def _cell(value: str) -> str:
+    """Return a number without its unit, which the heading has."""
+    return value.split(" ", maxsplit=1)[0]

@@ -1,0 +1,64 @@
+r"""Symbols with the nouns that numbers can do without: *block A (mass $m_A$)*, *inclined at an angle $\theta$*."""
+
+import re
+from collections.abc import Mapping
+from dataclasses import replace
+from functools import cache
+
+from sim2reason.scenes.dsl.body import BODIES
+from sim2reason.scenes.dsl.model import field_types
+from sim2reason.scenes.dsl.units import parse_unit
+from sim2reason.text.prose.description import Description
+
+NOUNS = (
+    (r"\b(?:in a direction|points) ", "deg", "at an angle ", ""),
+    (r"\bat ", "deg", "an angle ", ""),
+    (r"(?<!of )", "m", "a height ", r" above\b"),
+    (r"(?<!of )", "m", "a distance ", r" (?:from|beyond)\b"),
+)
+"""What stands before a symbol, of which unit, the noun that is put in between, and what stands after the symbol."""
+
+
+def with_names(marked: Description) -> Description:
+    """Return a text in symbols, each with its noun where it would stand alone."""
+    parameters = {parameter.path: parameter for parameter in marked.scene.parameters}
+    units = {marked.symbols[path]: p.measure.unit for path, p in parameters.items() if path in marked.symbols}
+    names = {
+        f"(${symbol}$)": f"({parameters[path].measure.name} ${symbol}$)"
+        for path in marked.told
+        if (symbol := marked.symbols.get(path)) and path in parameters
+        if path.rpartition(".")[0] in marked.scene.bodies
+    }
+
+    def named(sentence: str) -> str:
+        for alone, told in names.items():
+            sentence = sentence.replace(alone, told)
+        return sentence if sentence.lstrip().startswith("|") else _with_nouns(sentence, units)
+
+    roles = {named(sentence): role for sentence, role in marked.roles.items()}
+    return replace(marked, sentences=tuple(map(named, marked.sentences)), roles=roles)
+
+
+def without_names(text: str) -> str:
+    """Return a text as it was before `with_names`."""
+    for before, _, noun, after in NOUNS:
+        text = re.sub(rf"({before}){noun}(?=\$[^$]+\${after})", r"\1", text)
+    return _named().sub(r"(\1)", text)
+
+
+def _with_nouns(sentence: str, units: Mapping[str, str]) -> str:
+    for before, unit, noun, after in NOUNS:
+        for symbol, of in units.items():
+            if parse_unit(of).dimension == parse_unit(unit).dimension:
+                sentence = re.sub(
+                    rf"({before})(?=\${re.escape(symbol)}\${after})", lambda found, n=noun: f"{found[1]}{n}", sentence
+                )
+    return sentence
+
+
+@cache
+def _named() -> re.Pattern[str]:
+    """Return a symbol in a bracket behind the name of a number that some body has."""
+    held = (kind for body in BODIES.values() for kind in field_types(body).values())
+    names = {kind.measure.name for kind in held if kind.measure is not None}
+    return re.compile(rf"\((?:{'|'.join(map(re.escape, sorted(names)))}) (\$[^$]+\$)\)")

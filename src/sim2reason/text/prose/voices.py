@@ -1,0 +1,178 @@
+"""Voices: how texts write numbers, as digits or as symbols, and what stands for bodies."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Collection, Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from sim2reason.base.lazy import cached_property
+from sim2reason.errors import SceneError, UnknownNameError
+from sim2reason.scenes.dsl.model import Parameter, parameters
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.template import Word, slots
+from sim2reason.text.prose.phrases import Names, introductions, join, listed, symbols
+
+Voice = Callable[[Parameter, str], str]
+"""How a number is spoken: from the parameter and its symbol."""
+VoiceName = Literal["numeric", "symbolic"]
+
+
+def numeric(parameter: Parameter, symbol: str) -> str:
+    """Return the number and its unit."""
+    del symbol
+    return parameter.measure.say(parameter.value or 0.0)
+
+
+def symbolic(parameter: Parameter, symbol: str) -> str:
+    """Return the symbol alone."""
+    del parameter
+    return f"${symbol}$"
+
+
+def symbolic_but_zero(parameter: Parameter, symbol: str) -> str:
+    """The symbol alone, but for what is zero: the text says that, since it is no number that could be another."""
+    return (symbolic if parameter.value else numeric)(parameter, symbol)
+
+
+@dataclass(frozen=True, slots=True)
+class Hiding:
+    """Numbers, but for the parameters at some addresses, which are spoken of as unknowns."""
+
+    paths: tuple[str, ...]
+
+    def __call__(self, parameter: Parameter, symbol: str) -> str:
+        """Return the symbol of what is hidden, else the number."""
+        return (symbolic if parameter.path in self.paths else numeric)(parameter, symbol)
+
+
+VOICES: Mapping[str, Voice] = {"numeric": numeric, "symbolic": symbolic}
+
+
+def hiding(*paths: str) -> Voice:
+    """Numbers, but for the parameters at some addresses, which are spoken of as unknowns."""
+    return Hiding(paths)
+
+
+def voice_of(given: Iterable[Parameter], voice: Voice | VoiceName, hide: Collection[str] = ()) -> Voice:
+    """A voice that may be given by its name, with addresses to hide; SceneError if at one of them no number is told."""
+    if hide:
+        known = [parameter.path for parameter in given if not parameter.hidden and parameter.value is not None]
+        for address in hide:
+            if address not in known:
+                raise SceneError(f"--hide {address}", "no such number is told", f"there are: {', '.join(known)}")
+    if callable(voice):
+        return hiding(*hide) if hide else voice
+    if voice not in VOICES:
+        raise UnknownNameError(f"no such voice: {voice!r}; there are: {', '.join(VOICES)}")
+    return hiding(*hide) if hide and voice == "numeric" else VOICES[voice]
+
+
+class Terms(ABC):
+    """Bodies by their nouns and letters, introduced at first mention, and numbers in one voice."""
+
+    def __init__(self, scene: Scene, names: Names, voice: Voice, order: tuple[str, ...] = ()) -> None:
+        """Nothing is introduced yet; like symbols are numbered by `order`, and what is not in it comes after."""
+        self.scene, self.names, self._voice, self._order = scene, names, voice, order
+        self.introduced: dict[str, None] = {}
+        self.told: dict[str, None] = {}  # the addresses of numbers
+
+    @abstractmethod
+    def choose(self, options: tuple[str, ...]) -> str:
+        """Return one of several wordings."""
+
+    @cached_property
+    def parameters(self) -> dict[str, Parameter]:
+        """Every declared number by address, those of bodies that strings bring included."""
+        found = {parameter.path: parameter for parameter in self.scene.parameters}
+        for address, body in self.scene.bodies.items():
+            found.update({parameter.path: parameter for parameter in parameters(body, address)})
+        return found
+
+    @cached_property
+    def symbols(self) -> dict[str, str]:
+        """The symbol of every number that is neither hidden nor absent nor said by a word, or of the unknown alone."""
+        first = [self.parameters[path] for path in self._order]
+        every = {p.path: p for p in (*first, *self.parameters.values())}.values()
+        said = [p for p in every if not p.hidden and p.value is not None and not self._by_word(p.path)]
+        if isinstance(self._voice, Hiding):
+            said = [p for p in said if p.path in self._voice.paths]
+        if self._voice is not symbolic:  # else zeros are told by their symbols
+            said = _zeros_last(said)
+        return symbols(said, self.scene.bodies, self.names)
+
+    def word(self, word: Word, value: Any, render: Callable[[str], str]) -> str:
+        """Return the word for a value, its template rendered."""
+        return render(word.text(value))
+
+    def at(self, address: str, *, start: bool = False) -> str:
+        """Return what the text has for an address: a number, a word of a body, a body, or a list of bodies."""
+        if address in self.parameters:
+            return self.number(address)
+        owner, _, name = address.rpartition(".")
+        if owner in self.scene.bodies and name in self.scene.bodies[owner].words:
+            body = self.scene.bodies[owner]
+            word = body.words[name]
+            return self.word(word, getattr(body, word.parameter), lambda inner: self._of_body(inner, owner))
+        if address in self.scene.bodies:
+            return self.introduce(address, start=start)
+        members = [found for found in self.scene.bodies if found.rpartition(".")[0] == address]
+        return self._list(members, start=start)
+
+    def number(self, address: str) -> str:
+        """Return a number in the voice of this text."""
+        parameter = self.parameters[address]
+        self.told[address] = None
+        return self._voice(parameter, self.symbols.get(address, parameter.measure.symbol))
+
+    def _by_word(self, path: str) -> bool:
+        owner, _, name = path.rpartition(".")
+        body = self.scene.bodies.get(owner)
+        return body is not None and body.told_by_word(name)
+
+    def introduce(self, address: str, *, start: bool) -> str:
+        """Return a body by its name, introduced with its numbers if it was not yet mentioned."""
+        body = self.scene.bodies[address]
+        if address in self.introduced:
+            return self.names.mention(address, body, full=start)
+        again = any(self.names.noun(self.scene.bodies[known]) == self.names.noun(body) for known in self.introduced)
+        self.introduced[address] = None
+        letter = self.names.letters.get(address, "")
+        return self._of_body(self.choose(body.named if letter else introductions(type(body), again=again)), address)
+
+    def _of_body(self, template: str, address: str) -> str:
+        body = self.scene.bodies[address]
+        text = ""
+        for slot in slots(template):
+            if slot.kind == "text":
+                text += slot.text
+            elif slot.path == "letter":
+                text += self.names.letters.get(address, "")
+            elif slot.path == "noun":
+                text += self.names.noun(body)
+            else:
+                choice = getattr(body, slot.path, None)
+                text += choice if isinstance(choice, str) else self.at(f"{address}.{slot.path}")
+        return text
+
+    def _list(self, members: list[str], *, start: bool) -> str:
+        if len(members) == 1:
+            return self.introduce(members[0], start=start)
+        noun = self.names.noun(first := self.scene.bodies[members[0]])
+        letters = [self.names.letters.get(address, "") for address in members]
+        if members[0] in self.introduced:
+            return listed(noun, letters, full=start)
+        self.introduced.update(dict.fromkeys(members))
+        alike = {self._of_body(first.alike, address) for address in members}
+        if first.alike and len(alike) == 1:
+            return f"{listed(noun, letters, full=True)} {alike.pop()}"
+        return f"{noun}s " + join([self._of_body(first.listed, address) for address in members])
+
+
+def _zeros_last(said: list[Parameter]) -> list[Parameter]:
+    """Numbers in their order, but for the places at the origin and the like, which would take an index of no use.
+
+    They are told as zeros, and after the others they leave them x₁, x₂. A place with one zero keeps its turn: it has
+    one index for all its coordinates.
+    """
+    kinds = {(p.path.rpartition(".")[0], p.measure.name) for p in said if p.value}
+    return sorted(said, key=lambda p: (p.path.rpartition(".")[0], p.measure.name) not in kinds)

@@ -1,0 +1,235 @@
+"""From a scene to its text: which wording, in which order, in whose voice."""
+
+from collections.abc import Collection
+from typing import Any
+
+import numpy as np
+
+from sim2reason.scenes.dsl.addresses import lookup
+from sim2reason.scenes.dsl.body import Body
+from sim2reason.scenes.dsl.builder import Builder
+from sim2reason.scenes.dsl.connection import Connection
+from sim2reason.scenes.dsl.entity import Part, parts_at
+from sim2reason.scenes.dsl.model import field_types
+from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.scenes.dsl.template import (
+    COUNT_WORDS,
+    Each,
+    PartLines,
+    Role,
+    Saying,
+    Slot,
+    Topic,
+    Wordings,
+    role_of,
+    slots,
+    topic_of,
+    wordings,
+)
+from sim2reason.text.prose.closings import Closing, closings
+from sim2reason.text.prose.phrases import BODIES, Names, alike, canonical, resolved, spoken, table
+from sim2reason.text.prose.voices import Terms, Voice
+
+TABLE_FROM = 3  # like bodies; two are always prose
+
+
+class Writer(Terms):
+    """Renders the sentences of one scene in one voice, remembering who was introduced."""
+
+    def __init__(
+        self,
+        scene: Scene,
+        names: Names,
+        rng: np.random.Generator,
+        voice: Voice,
+        order: tuple[str, ...] = (),
+        without: Collection[Topic] = (),
+    ) -> None:
+        """Nothing is introduced yet; `order` is that in which a first pass told the numbers.
+
+        Sentences on topics that it is `without` stay unsaid.
+        """
+        super().__init__(scene, names, voice, order)
+        self._rng, self._without = rng, without
+        self.roles: dict[str, Role] = {}
+        self.topics = set[Topic]()  # of what is said
+        self._left_out = set[Topic]()  # of lines that are not said
+        self._finished: list[str] = []
+
+    @property
+    def builder(self) -> Builder:
+        """Return where sites are, and which way strings must leave them."""
+        return self.scene.builder
+
+    def sentences(self) -> list[str]:
+        """All sentences: for each string the lines of its new entities, then the string; last what holds for all."""
+        told: list[str] = []
+        done: set[str] = set()
+        for name in self._string_order():
+            joint = self.scene.joints[name]
+            for entity in dict.fromkeys(stop.owner.split(".")[0] for stop in joint.stops):
+                told.extend(self._lines(entity, done))
+            if name.split(".")[0] not in done:  # connections inside entities are told with their lines
+                told.append(self.finish(joint.describe(self)))
+        for named in self.scene.entities:
+            told.extend(self._lines(named.name, done))
+        told.extend(self._closings())
+        return told
+
+    def _string_order(self) -> list[str]:
+        """Connections, each after one that shares an entity with it, so that no tale begins twice."""
+        names = {named.name for named in self.scene.entities}
+        waiting = [name for name in self.scene.joints if name.split(".")[0] not in names]
+        order: list[str] = []
+        reached: set[str] = set()
+        while waiting:
+            owners = {name: {stop.owner.split(".")[0] for stop in self.scene.joints[name].stops} for name in waiting}
+            chosen = next((name for name in waiting if owners[name] & reached), waiting[0])
+            waiting.remove(chosen)
+            order.append(chosen)
+            reached |= owners[chosen]
+        return order
+
+    def _lines(self, name: str, done: set[str]) -> list[str]:
+        """Return the lines of an entity, once: its parts' first, then its own, then the connections inside it."""
+        if name in done:
+            return []
+        done.add(name)
+        entity = self.scene.entity(name)
+        told = self._part_lines(entity, name)
+        for joint in self.scene.joints.values():
+            if joint.name.startswith(f"{name}."):
+                told.append(self.finish(joint.describe(self)))
+        return told
+
+    def _part_lines(self, part: Part, address: str) -> list[str]:
+        placed = {saying.field for saying in part.says if isinstance(saying, PartLines)}
+        first = [PartLines(field) for field in type(part).model_fields if field not in placed]
+        said = (saying for saying in (*first, *part.says) if not self._passes_over(saying, part))
+        return [line for saying in said for line in self._say(saying, part, address)]
+
+    def _passes_over(self, saying: Saying, part: Part) -> bool:
+        """Return whether a rarely needed line is left out of the text, so that no wording is drawn for the line."""
+        rare = isinstance(saying, Wordings) and saying.rare
+        return rare and not self.says_line(saying, wordings(saying)[0], part)
+
+    def _say(self, saying: Saying, part: Part, address: str) -> list[str]:
+        if isinstance(saying, PartLines):
+            inner = parts_at(part, saying.field).items()
+            return [line for path, held in inner for line in self._part_lines(held, f"{address}.{path}")]
+        template = self.choose(spoken(saying, part))
+        if not isinstance(saying, Each):
+            topic = topic_of(saying)
+            if not self.says_line(saying, template, part):
+                return []
+            if topic is not None and topic in self._without:
+                self._left_out.add(topic)
+                return []
+            return [self._as(role_of(saying), self.finish(self.render(template, address)), topic)]
+        members = getattr(part, saying.field)
+        where = [f"{address}.{saying.field}.{index}" for index in range(len(members))]
+        if len(members) >= TABLE_FROM and isinstance(members[0], Body) and alike(members):
+            self.introduced.update(dict.fromkeys(where))
+            return table(self, saying.table, where, members)
+        return [self.finish(self.render(template.replace(".*", f".{index}"), address)) for index in range(len(members))]
+
+    def says_line(self, saying: Saying, template: str, part: Part) -> bool:
+        """Return whether a line is said in one of its wordings: one on several members only where there are several."""
+        several = saying.several if isinstance(saying, Wordings) else ""
+        return (not several or len(getattr(part, several)) > 1) and self.is_said(template, part)
+
+    def is_said(self, template: str, part: Part) -> bool:
+        """Return whether a sentence is said: not if it needs something absent, or a number that a word has told."""
+        for slot in slots(template):
+            if slot.kind != "path" or "*" in slot.path:
+                continue
+            word = type(part).words.get(slot.path)
+            held = resolved(part, word.parameter if word is not None else slot.path)
+            if held is None:
+                return False
+            if word is not None:
+                continue
+            owner, _, name = slot.path.rpartition(".")
+            if not owner and type(part).told_by_word(name, held):
+                return False
+            body = resolved(part, owner) if owner else part
+            if isinstance(body, Body) and name in field_types(type(body)) and body.told_by_word(name):
+                return False
+        return True
+
+    def _closings(self) -> list[str]:
+        """Return the closing sentences; a symbolic g is named instead of being equated with itself."""
+        told: list[str] = []
+        for found in closings(self.scene):
+            if self.leaves_out(found):
+                self.pass_over(found.wordings)
+                continue
+            sentence = self.render(self.choose(found.wordings), "")
+            said = self.render(found.of_symbol, "") if "g = $g$" in sentence else sentence
+            told.append(self._as(found.role, self.finish(said), found.topic))
+        return told
+
+    def leaves_out(self, closing: Closing) -> bool:
+        """Return whether a closing stays unsaid: a start from rest, too, where the line on its place is left out."""
+        return closing.topic in self._without or (closing.role == "start" and "start" in self._left_out)
+
+    def _as(self, role: Role, sentence: str, topic: Topic | None) -> str:
+        """Return a sentence whose role and topic are kept."""
+        if topic is not None:
+            self.topics.add(topic)
+        if role != "fact":
+            self.roles[sentence] = role
+        return sentence
+
+    def choose(self, options: tuple[str, ...]) -> str:
+        """Return one of several wordings; always one draw, so that all voices stay in step."""
+        return options[int(self._rng.random() * len(options))]
+
+    def pass_over(self, options: tuple[str, ...]) -> None:
+        """A sentence that is left out; one draw all the same, so that what follows is said as it is with it."""
+        self.choose(options)
+
+    def finish(self, sentence: str) -> str:
+        """Return a rendered sentence with its capital."""
+        self._finished.append(sentence[:1].upper() + sentence[1:])
+        return self._finished[-1]
+
+    @property
+    def finished(self) -> tuple[str, ...]:
+        """All earlier sentences."""
+        return tuple(self._finished)
+
+    def render(self, template: str, address: str, *, start: bool = True) -> str:
+        """Return a template of the entity or part at `address`, introducing bodies at their first mention.
+
+        Inside a sentence it is no `start`: there a body that is known goes by its letter alone.
+        """
+        text = ""
+        for slot in slots(template):
+            text += self._slot(slot, address, start=start and not text)
+        return text
+
+    def _slot(self, slot: Slot, address: str, *, start: bool) -> str:
+        if slot.kind == "text":
+            return slot.text
+        part = self.scene.value(address) if address else self.scene
+        if slot.kind in ("agree", "some", "count"):
+            count = len(resolved(part, slot.path))
+            return COUNT_WORDS[count] if slot.kind == "count" else self.render(slot.form(count), address, start=start)
+        if slot.kind == "plural":
+            members = resolved(part, slot.path)
+            return f"{self.names.noun(members[0])}s" if alike(members) else BODIES
+        if slot.kind == "member":
+            return self.introduce(f"{address}.{slot.text}.{resolved(part, slot.path)}", start=start)
+        return self._named(slot, part, address, start=start)
+
+    def _named(self, slot: Slot, part: Any, address: str, *, start: bool) -> str:
+        """Return what stands for a name in a template: a word, a choice, a number or a body."""
+        words = type(part).words if isinstance(part, Part | Connection) else {}
+        if slot.path in words:
+            word = words[slot.path]
+            return self.word(word, lookup(part, word.parameter), lambda inner: self.render(inner, address, start=start))
+        if isinstance(choice := resolved(part, slot.path), str):
+            return choice
+        where = canonical(part, slot.path)
+        return self.at(f"{address}.{where}" if address else where, start=start)

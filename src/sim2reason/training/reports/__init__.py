@@ -1,0 +1,1 @@
+"""Reports on training runs: held-out accuracy and studies."""

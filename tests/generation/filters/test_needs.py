@@ -1,0 +1,87 @@
+"""What a solution needs is looked at before an answer is worked out, and once more of the question itself."""
+
+from collections import Counter
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from sim2reason.generation.filters import FILTERS
+from sim2reason.generation.question_search import UNSUITED, QuestionSearch
+from sim2reason.generation.random_scenes import sample
+from sim2reason.questions import MODES
+from sim2reason.questions.need import EVERY, Need
+from sim2reason.solutions import Solution
+from sim2reason.solutions.shortest import shortest
+
+SIMPLE = frozenset(need for need in Need if need <= Need.INVERSE_FUNCTION)
+
+
+@pytest.fixture(scope="module")
+def swing() -> QuestionSearch:
+    return QuestionSearch(sample("pendulum", "easy", seed=2), 0, needs=SIMPLE)
+
+
+def test_a_time_of_a_swing_is_not_asked_for(swing: QuestionSearch) -> None:
+    """Most times take an elliptic integral; no filter gets to see the question."""
+    refused = Counter[str]()
+    assert swing.ask(MODES["numeric"], np.random.default_rng(1), refused, "time_to_event") is None
+    assert refused == {UNSUITED: 1}
+    assert "time_to_event" in swing.beyond
+
+
+def test_all_that_is_asked_needs_what_it_may(swing: QuestionSearch) -> None:
+    """Of whatever kind, in either mode."""
+    for seed in range(6):
+        mode = ("numeric", "reverse")[seed % 2]
+        found = swing.ask(MODES[mode], np.random.default_rng(seed), Counter())
+        if found is not None:
+            assert found.shortest.needs in SIMPLE
+
+
+def test_the_filter_refuses_what_needs_more() -> None:
+    """A question that was drawn without a limit."""
+    free = QuestionSearch(sample("pendulum", "easy", seed=2), 0, unfiltered=True)
+    found = free.ask(MODES["numeric"], np.random.default_rng(1), Counter(), "time_to_event")
+    assert found is not None
+    needs = FILTERS["needs"]
+    assert found.candidate.needs == EVERY
+    assert not needs.reason(found.candidate)
+    assert list(needs.findings(found.candidate)) == ["special function, by energy and circular motion"]
+    assert needs.reason(replace(found.candidate, needs=SIMPLE)).startswith("integration: ")
+    assert not needs.reason(replace(found.candidate, needs=frozenset({Need.SPECIAL_FUNCTION})))
+    assert needs.reason(replace(found.candidate, needs=frozenset({Need.ROOT, Need.INTEGRATION})))
+
+
+def test_a_limit_does_not_hide_what_is_within_it(swing: QuestionSearch) -> None:
+    """Whatever is found without one, and needs no more, is found with it."""
+    words, study = swing.words, swing.study
+    for seed in range(12):
+        question = MODES["numeric"].ask(study, words, "", np.random.default_rng(seed))
+        if question is None:
+            continue
+        free = shortest(question.query, study, words)
+        limited = shortest(question.query, study, words, most=Need.INVERSE_FUNCTION)
+        if free.answer is not None and free.needs <= Need.INVERSE_FUNCTION:
+            assert limited.answer == pytest.approx(free.answer, rel=1e-9)
+        else:
+            assert limited.answer is None
+
+
+def test_a_solution_that_can_not_be_shown_is_replaced_before_a_question_is_kept(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Filters look at solutions that nothing has recomputed yet; a question that passes has one that was."""
+    free = QuestionSearch(sample("pulley", "medium", seed=2), 0, unfiltered=True)
+    found = free.ask(MODES["numeric"], np.random.default_rng(1), Counter(), "state")
+    assert found is not None
+    candidate = replace(found.candidate, prompt="")
+    before = candidate.solution
+    assert before is not None
+    assert candidate.checked is candidate
+    monkeypatch.setattr("sim2reason.solutions.shortest.verified", lambda *_: Solution("", reason="not shown"))
+    other = candidate.checked
+    assert other is not candidate
+    assert other.solution is not None
+    assert other.solution is not before
+    assert other.solution.answer == pytest.approx(before.answer, rel=1e-9)

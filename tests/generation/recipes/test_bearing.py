@@ -1,0 +1,20 @@
+"""Which numbers bear is found by halving and doubling them."""
+
+import pytest
+
+from sim2reason.generation.recipes.parts.ideas import LEAST, idle
+from sim2reason.scenes.bodies.round_bodies import Sphere
+from sim2reason.scenes.entities.parts.pieces import RoundPiece
+
+
+def inertia(piece: RoundPiece) -> tuple[float]:
+    """2/5 r² + d², per mass."""
+    return (0.4 * piece.body.radius**2 + piece.distance**2,)
+
+
+@pytest.mark.parametrize("radius", [0.05, 0.15, 0.2, 0.3, 0.5])
+def test_a_radius_bears_where_doubling_it_counts(radius: float) -> None:
+    """Doubled, it adds 1.2 r² to 0.4 r² + d²; a mass that cancels never bears, a distance does."""
+    piece = RoundPiece(body=Sphere(mass=2.0, radius=radius), distance=0.6)
+    bears = 1.2 * radius**2 > LEAST * (0.4 * radius**2 + 0.36)
+    assert set(idle(piece, inertia)) == {"body.mass", *([] if bears else ["body.radius"])}

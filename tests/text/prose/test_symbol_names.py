@@ -1,0 +1,24 @@
+"""Symbols have nouns where numbers need none, and a text can be read without them."""
+
+import pytest
+
+from sim2reason.generation.random_scenes import sample
+from sim2reason.generation.recipes import RECIPES
+from sim2reason.text.prose.description import describe
+from sim2reason.text.prose.symbol_names import with_names, without_names
+from sim2reason.text.prose.voices import symbolic_but_zero
+
+
+@pytest.mark.parametrize("recipe", list(RECIPES))
+def test_a_text_loses_its_nouns_again(recipe: str) -> None:
+    for seed in range(4):
+        plain = describe(sample(recipe, "medium", seed=seed), seed, symbolic_but_zero)
+        assert without_names(with_names(plain).text) == plain.text
+
+
+def test_a_symbol_stands_behind_its_noun() -> None:
+    plain = describe(sample("projectile", "easy", seed=1), 1, symbolic_but_zero)
+    named = with_names(plain).text
+    assert " at $v$" not in named
+    assert " a height of a " not in named
+    assert not any(f"({symbol}" in named for symbol in ("$m$)", "$M$)"))
