@@ -107,14 +107,6 @@ def test_every_registry_is_sorted_and_refuses_what_it_does_not_hold(kind: str) -
         registry.add(nearest, lambda: None)
 
 
-@pytest.mark.parametrize("kind", list(REGISTRIES))
-def test_a_member_is_one_file(kind: str) -> None:
-    folder = SOURCE / kind.replace(".", "/")
-    files = {path.stem for path in folder.glob("*.py")} | {path.name for path in folder.iterdir() if path.is_dir()}
-    assert len(REGISTRIES[kind]) >= 1
-    assert files - {"__init__", "__pycache__", "parts"}
-
-
 @pytest.mark.parametrize("body", all_bodies(), ids=lambda body: body.__name__)
 def test_bodies_are_introduced_in_two_ways_with_all_their_numbers(body: type[Body]) -> None:
     assert getdoc(body)
