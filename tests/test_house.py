@@ -77,9 +77,7 @@ def test_what_questions_are_made_of_has_one_name_each() -> None:
                 places.setdefault(node.name, []).append(path.relative_to(ROOT / "src/sim2reason"))
     within = "questions/", "simulation/quantities/", "generation/filters/"
     beside = {Path("generation"), Path("datasets")}
-    ours = {
-        path for found in places.values() for path in found if f"{path}".startswith(within) or path.parent in beside
-    }
+    ours = {p for found in places.values() for p in found if f"{p}".startswith(within) or p.parent in beside}
     twice = {name: found for name, found in places.items() if len(found) > 1}
     assert not {name: found for name, found in twice.items() if ours & {*found}}
 
