@@ -33,8 +33,7 @@ from fake_makers import steady  # noqa: E402 - it lies where the path now leads
 from sim2reason.datasets.dataset import Dataset  # noqa: E402 - the same
 from sim2reason.datasets.store import count  # noqa: E402 - the same
 from sim2reason.errors import Sim2ReasonError  # noqa: E402 - the same
-from sim2reason.generation.made import Made  # noqa: E402 - the same
-from sim2reason.generation.request import Request  # noqa: E402 - the same
+from sim2reason.generation.request import Made, Request  # noqa: E402 - the same
 
 SHARD = 50
 PATIENCE = 2.0  # s: all but those that hang take milliseconds

@@ -20,7 +20,7 @@ import numpy as np
 from items import adopt_orphans, children
 
 from sim2reason.datasets.dataset import Dataset
-from sim2reason.datasets.distinct import Marks, doubles
+from sim2reason.datasets.duplicates import Marks, doubles
 from sim2reason.datasets.plan import DISTANCE
 
 SUPPORT = Path(__file__).resolve().parent.parent / "tests" / "support"

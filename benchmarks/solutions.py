@@ -24,12 +24,12 @@ from itertools import islice
 from statistics import median
 
 from sim2reason.datasets.grade import grade
+from sim2reason.generation.certified import worked, worked_parts
 from sim2reason.generation.item import Item
 from sim2reason.generation.item_search import ItemSearch
 from sim2reason.generation.make import item_of
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.generation.request import SI, Request
-from sim2reason.generation.worked_solutions import worked, worked_parts
 from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.solutions import STRATEGIES, Setting, Solution, by, solve
 from sim2reason.solutions.checking import recompute

@@ -26,7 +26,7 @@ from sim2reason.generation.recipes import RECIPES
 from sim2reason.generation.request import Request
 from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.questions.parse_prompt import parse_prompt
-from sim2reason.text.prose.formula_numbers import said_in
+from sim2reason.text.prose.symbol_names import said_in
 
 MUTANTS, FRESH = 20, 2
 WIDTH = 0.05  # of the numbers that are put in when a prompt is read back

@@ -23,7 +23,7 @@ from sim2reason.generation.item import Item
 from sim2reason.generation.make import make
 from sim2reason.generation.recipes import RECIPES, difficulty_named
 from sim2reason.questions import MODES, Question
-from sim2reason.questions.constancy import ENDINGS
+from sim2reason.questions.choices import ENDINGS
 from sim2reason.questions.dependence import Dependence
 from sim2reason.questions.moments.times import AtStart
 from sim2reason.questions.parse_prompt import parse_prompt

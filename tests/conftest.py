@@ -32,4 +32,4 @@ def pictures() -> None:
 @pytest.fixture(autouse=True)
 def _no_pictures(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
     if "pictures" not in request.fixturenames:
-        monkeypatch.setattr("sim2reason.datasets.finish.put_pictures", lambda *_: ())
+        monkeypatch.setattr("sim2reason.datasets.build.put_pictures", lambda *_: ())

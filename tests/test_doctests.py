@@ -83,7 +83,7 @@ def functions(cls: type) -> Iterator[tuple[str, FunctionType]]:
 def problems(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The dataset that the examples generate, so that each of them finds it finished."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("sim2reason.datasets.finish.put_pictures", lambda *_: ())
+        patch.setattr("sim2reason.datasets.build.put_pictures", lambda *_: ())
         out = tmp_path_factory.mktemp("doctests") / "problems"
         return sim2reason.generate(out, items=2, recipe="pulley", difficulty="easy", workers=1).path
 

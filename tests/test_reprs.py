@@ -58,7 +58,7 @@ def values(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, object]:
         "benchmarks": [{"kind": "synthetic", "name": "ours", "dataset": str(folder / "problems")}],
     }
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("sim2reason.datasets.finish.put_pictures", lambda *_: ())
+        patch.setattr("sim2reason.datasets.build.put_pictures", lambda *_: ())
         dataset = sim2reason.generate(folder / "problems", items=2, workers=1, **ITEM)
     return {
         "Answer": item.answer,

@@ -7,8 +7,7 @@ import pytest
 import fake_makers
 import readme
 import shared_items
-from sim2reason.generation.made import Made
-from sim2reason.generation.request import Request
+from sim2reason.generation.request import Made, Request
 
 TEXT = """
 # A project

@@ -26,9 +26,8 @@ if TYPE_CHECKING:
     from sim2reason.datasets.generate import generate
     from sim2reason.datasets.grade import grade
     from sim2reason.datasets.items import item, sample, stream
-    from sim2reason.datasets.show import show
     from sim2reason.datasets.solve import solve
-    from sim2reason.datasets.stats import stats
+    from sim2reason.datasets.summaries import show, stats
     from sim2reason.datasets.verify import verify
     from sim2reason.errors import Sim2ReasonError
     from sim2reason.evaluation.reports.evaluation import evaluate

@@ -12,8 +12,8 @@ from warnings import warn
 
 from pydantic import TypeAdapter, ValidationError
 
+from sim2reason.datasets.grade import answer_of
 from sim2reason.datasets.ground_truth import Letter, answered, boxed, ground_truth
-from sim2reason.datasets.rows import answer_of
 from sim2reason.errors import DatasetError
 from sim2reason.generation.grade_answer import grade_answer
 from sim2reason.generation.item import Answer

@@ -11,7 +11,7 @@ from contextlib import suppress
 import pytest
 
 from sim2reason.cli import interrupts
-from sim2reason.datasets.interrupts import SIGNALS, deaf_children
+from sim2reason.datasets.processes import SIGNALS, deaf_children
 
 
 def interrupt(number: signal.Signals = signal.SIGINT) -> None:

@@ -12,10 +12,9 @@ from click.testing import CliRunner
 
 from sim2reason.cli import main
 from sim2reason.datasets.card import SIZES, command
+from sim2reason.datasets.card_content import EXAMPLES, SHOWN, chosen, counted, histogram
 from sim2reason.datasets.dataset import Dataset
-from sim2reason.datasets.examples import EXAMPLES, chosen
 from sim2reason.datasets.generate import Order, configured, generate
-from sim2reason.datasets.histograms import SHOWN, counted, histogram
 from sim2reason.datasets.manifest import Manifest, load
 from sim2reason.datasets.plan import Config
 from sim2reason.datasets.verify import verify

@@ -3,7 +3,7 @@
 import pytest
 from pydantic import ValidationError
 
-from sim2reason.datasets.chosen import Chosen
+from sim2reason.datasets.plan import Chosen
 
 
 @pytest.mark.parametrize("given", ["all", "numeric", ("numeric", "reverse")])

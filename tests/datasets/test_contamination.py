@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from fake_makers import steady
 from sim2reason.cli import main
-from sim2reason.datasets import benchmark_files, contamination
+from sim2reason.datasets import contamination
 from sim2reason.datasets.contamination import RUN, Benchmarks, words
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.generate import Order, generate
@@ -125,11 +125,11 @@ def test_what_can_not_be_read_is_one_line(tmp_path: Path, name: str, content: by
     ("limit", "module", "size", "name"),
     [
         ("MOST", contamination, 5, "b.txt"),
-        ("LARGEST_FILE", benchmark_files, 100, "b.txt"),
-        ("LARGEST_PART", benchmark_files, 100, "b.txt"),
-        ("LARGEST_PART", benchmark_files, 100, "b.json"),
-        ("LARGEST_PART", benchmark_files, 100, "b.jsonl"),
-        ("LARGEST_PART", benchmark_files, 100, "b.parquet"),
+        ("LARGEST_FILE", contamination, 100, "b.txt"),
+        ("LARGEST_PART", contamination, 100, "b.txt"),
+        ("LARGEST_PART", contamination, 100, "b.json"),
+        ("LARGEST_PART", contamination, 100, "b.jsonl"),
+        ("LARGEST_PART", contamination, 100, "b.parquet"),
     ],
 )
 def test_sizes_are_bounded(

@@ -15,8 +15,7 @@ from sim2reason.datasets.contamination import Benchmarks
 from sim2reason.datasets.lazy import MOST, LazyProblems
 from sim2reason.datasets.plan import Config
 from sim2reason.errors import DatasetError, DrawError
-from sim2reason.generation.made import Made
-from sim2reason.generation.request import Request
+from sim2reason.generation.request import Made, Request
 from sim2reason.generation.splits import split_of
 
 SPLIT = {"test": 0.4, "train": 0.6}  # in alphabetical order, as configurations have them

@@ -12,8 +12,7 @@ from sim2reason.datasets.items import item, sample, stream
 from sim2reason.datasets.manifest import Manifest, merged
 from sim2reason.datasets.plan import Config, file_name
 from sim2reason.errors import DrawError
-from sim2reason.generation.made import versions
-from sim2reason.generation.request import LARGEST, Request
+from sim2reason.generation.request import LARGEST, Request, versions
 
 NAMES = st.lists(st.sampled_from(["pulley", "incline", "hybrid", "collision"]), min_size=1, unique=True).map(tuple)
 

@@ -14,8 +14,7 @@ import pytest
 from datasets import load_dataset
 
 from sim2reason.datasets import store
-from sim2reason.datasets.grade import grade
-from sim2reason.datasets.rows import plain
+from sim2reason.datasets.grade import grade, plain
 from sim2reason.errors import DatasetError
 from sim2reason.generation.item import Answer, Binding, FormulaRecord, Item
 

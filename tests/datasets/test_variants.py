@@ -11,13 +11,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from fake_makers import steady
-from sim2reason.datasets import distinct
+from sim2reason.datasets import duplicates
 from sim2reason.datasets.build import build, build_part
 from sim2reason.datasets.dataset import Dataset
-from sim2reason.datasets.distinct import Marks, doubles
+from sim2reason.datasets.duplicates import Marks, doubles, variant
 from sim2reason.datasets.manifest import Manifest, refused
 from sim2reason.datasets.plan import Config
-from sim2reason.datasets.variants import variant
 from sim2reason.generation.item import Item
 from sim2reason.generation.request import Request
 
@@ -101,7 +100,7 @@ def test_stretches_of_problems_change_nothing(monkeypatch: pytest.MonkeyPatch) -
     rng = np.random.default_rng(4)
     rows: list[Row] = [(n % 5, tuple(np.round(rng.uniform(1, 2, size=n % 5), 2).tolist()), n, n) for n in range(600)]
     whole = left_out(rows, 0.1)
-    monkeypatch.setattr(distinct, "HELD", 50)
+    monkeypatch.setattr(duplicates, "HELD", 50)
     assert left_out(rows, 0.1) == whole == expected(rows, 0.1)
     assert 100 < len(whole) < 500
 

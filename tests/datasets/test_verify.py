@@ -10,7 +10,7 @@ from sim2reason.base.atomic_files import FOLDER, canonical, checksum
 from sim2reason.datasets import store
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, load, shards
-from sim2reason.datasets.stats import stats
+from sim2reason.datasets.summaries import stats
 from sim2reason.datasets.verify import verify
 from sim2reason.errors import DatasetError
 

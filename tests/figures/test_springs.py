@@ -2,7 +2,7 @@
 
 import pytest
 
-from sim2reason.figures.springs import spring
+from sim2reason.figures.paths import spring
 from sim2reason.figures.vectors import cross
 from sim2reason.scenes.dsl.mechanism import Elastic, Inextensible, Line
 

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sim2reason.generation.formula_fingerprint import fingerprint
+from sim2reason.generation.splits import fingerprint
 
 MASSES = {"m_A": "kg", "m_B": "kg", "m_C": "kg", "g": "m/s^2", "h": "m", r"\theta": "rad", "v": "m/s", r"\mu": ""}
 

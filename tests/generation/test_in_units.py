@@ -7,8 +7,8 @@ import pytest
 
 from sim2reason.datasets.grade import grade
 from sim2reason.datasets.items import item
-from sim2reason.generation.in_units import told_in
 from sim2reason.generation.item import Item
+from sim2reason.generation.make import told_in
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.spoken_units import system_named

@@ -6,9 +6,9 @@ import pytest
 
 import sim2reason
 from sim2reason.datasets.items import made
-from sim2reason.datasets.names import needs_named
+from sim2reason.datasets.plan import needs_named
 from sim2reason.errors import DatasetError, DrawError, UnknownNameError
-from sim2reason.generation.needs import SHARE, SIMPLE, allowed
+from sim2reason.generation.item_search import SHARE, SIMPLE, allowed
 from sim2reason.generation.request import Request
 from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.questions.need import ELEMENTARY, EVERY, NEEDS, Need

@@ -13,7 +13,7 @@ from sim2reason.datasets.grade import grade
 from sim2reason.datasets.items import item
 from sim2reason.datasets.store import read, write
 from sim2reason.generation.item import Answer, Distractor, Item
-from sim2reason.generation.options import APART, FEWEST, options, options_of, values
+from sim2reason.generation.options import FEWEST, OPTION_RTOL, options, options_of, values
 from sim2reason.grading import Outcome
 from sim2reason.questions.choice_prompts import LETTERS, ChoicePrompt, parse_choice
 from sim2reason.scenes.dsl.measures import join_unit
@@ -53,7 +53,7 @@ def test_options_are_wrong_ideas_with_reasons_and_a_tenth_apart(cell: tuple[str,
     assert values(told.answer, chosen) == list(told.answer.options)
     assert all(wrong is None or (wrong.reason and wrong.simplification) for wrong in chosen)
     ordered = sorted(told.answer.options)
-    assert all(b - a > APART * max(abs(a), abs(b)) for a, b in pairwise(ordered))
+    assert all(b - a > OPTION_RTOL * max(abs(a), abs(b)) for a, b in pairwise(ordered))
 
 
 @pytest.mark.parametrize("cell", CELLS)

@@ -7,12 +7,11 @@ import numpy as np
 import pytest
 
 from sim2reason import rewards
-from sim2reason.datasets.distinct import marks
+from sim2reason.datasets.duplicates import marks, variant
 from sim2reason.datasets.grade import grade
 from sim2reason.datasets.items import item
 from sim2reason.datasets.separate import separated
 from sim2reason.datasets.store import read, write
-from sim2reason.datasets.variants import variant
 from sim2reason.generation.certified import CertifiedQuestion
 from sim2reason.generation.filters import FILTERS
 from sim2reason.generation.item import Item
@@ -24,7 +23,7 @@ from sim2reason.grading import Outcome
 from sim2reason.questions import Query, Question
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.part_prompts import PartPrompt, parse_parts
-from sim2reason.questions.targets import Target
+from sim2reason.questions.query import Target
 
 CELLS = [
     ("pulley", "easy", 0),

@@ -11,8 +11,7 @@ from sim2reason.generation.filters.well_known import FEW_LAWS
 from sim2reason.generation.item_search import ItemSearch
 from sim2reason.generation.make import make
 from sim2reason.generation.recipes import RECIPES
-from sim2reason.generation.request import Request
-from sim2reason.generation.weights import check, in_drawn_order, weight
+from sim2reason.generation.request import Request, check, in_drawn_order, weight
 from sim2reason.questions import KINDS, MODES
 
 ONLY_SUMS = dict.fromkeys(KINDS, 0.0) | {"sum": 1.0}

@@ -13,9 +13,9 @@ from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.grade import grade
 from sim2reason.datasets.plan import Config
 from sim2reason.datasets.store import read, write
+from sim2reason.generation.certified import recorded
 from sim2reason.generation.item import Item
 from sim2reason.generation.request import Request
-from sim2reason.generation.worked_solutions import recorded
 from sim2reason.solutions import Solution
 
 CONFIG = Config(items=6, recipes=("hybrid", "projectile"), difficulties=("easy",), shard=2, solutions=True)

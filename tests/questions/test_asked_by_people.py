@@ -14,8 +14,8 @@ from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.posing import posed
 from sim2reason.questions.prompt import words_of
+from sim2reason.questions.query import targets
 from sim2reason.questions.structured import StructuredQuestion
-from sim2reason.questions.targets import targets
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import loads
 from sim2reason.simulation.certify import witnessed

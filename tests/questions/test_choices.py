@@ -4,7 +4,7 @@ import pytest
 
 from motions import MOTIONS
 from sim2reason.questions.choices import has_formula_of_time
-from sim2reason.questions.targets import targets
+from sim2reason.questions.query import targets
 
 
 @pytest.mark.parametrize(

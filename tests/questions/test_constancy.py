@@ -5,11 +5,11 @@ import pytest
 
 from plain_scenes import arm, atwood, ramp, table
 from sim2reason.questions import KINDS, Moment, Study, Target
-from sim2reason.questions.constancy import hangs_on, lasts
+from sim2reason.questions.choices import hangs_on, lasts
 from sim2reason.questions.moments.collisions import Collided
 from sim2reason.questions.moments.times import AllAlong, AtStart, AtTime
 from sim2reason.questions.prompt import words_of
-from sim2reason.questions.targets import targets
+from sim2reason.questions.query import targets
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.text.prose.description import describe
 

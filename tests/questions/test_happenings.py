@@ -20,12 +20,11 @@ from sim2reason.questions.moments.collisions import Collided, LastCollision
 from sim2reason.questions.moments.contacts import BeganToSlip, EdgeLanded, LeftFace, LiftedOff, StoppedSlipping
 from sim2reason.questions.moments.distances import Away, Closest, Farthest, Moved, Returned
 from sim2reason.questions.moments.fields import AcrossField, EnteredRegion, LeftRegion, VelocityReturned, VelocityTurned
-from sim2reason.questions.moments.springs import MostCompressed, MostStretched, NaturalLength
-from sim2reason.questions.moments.strings import WentSlack, WentTaut
+from sim2reason.questions.moments.strings import MostCompressed, MostStretched, NaturalLength, WentSlack, WentTaut
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import Fastest, Halted, HighestPoint, LowestPoint, Stopped
 from sim2reason.questions.prompt import words_of
-from sim2reason.questions.targets import targets
+from sim2reason.questions.query import targets
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.mechanism import Z
 from sim2reason.scenes.dsl.model import rebuilt

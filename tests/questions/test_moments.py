@@ -14,13 +14,13 @@ from sim2reason.questions.crossing import begins_beyond, crossings, first_crossi
 from sim2reason.questions.moments.collisions import Collided
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.parts.turning_points import SpringTurn
-from sim2reason.questions.moments.springs import MostStretched, NaturalLength
+from sim2reason.questions.moments.strings import MostStretched, NaturalLength
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import LowestPoint, Stopped
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.prompt import words_of
-from sim2reason.questions.spoken import round_number, said, say, spoken, two_digits
-from sim2reason.questions.targets import targets
+from sim2reason.questions.query import targets
+from sim2reason.questions.words import round_number, said, say, spoken, two_digits
 from sim2reason.scenes.bodies.planes import Incline
 from sim2reason.scenes.bodies.round_bodies import Hoop
 from sim2reason.scenes.dsl.builder import Builder

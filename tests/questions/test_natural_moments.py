@@ -7,10 +7,10 @@ from plain_scenes import ramp, row
 from sim2reason.questions.functionals.parts.integral import encounter
 from sim2reason.questions.moments.collisions import Collided
 from sim2reason.questions.moments.distances import Moved
-from sim2reason.questions.moments.springs import MostStretched
+from sim2reason.questions.moments.strings import MostStretched
 from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.prompt import words_of
-from sim2reason.questions.targets import Target, targets
+from sim2reason.questions.query import Target, targets
 from sim2reason.questions.words import Words
 from sim2reason.scenes.bodies.pendulums import Ball
 from sim2reason.scenes.bodies.sliders import Puck, Table

@@ -21,7 +21,7 @@ from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of
-from sim2reason.questions.targets import targets
+from sim2reason.questions.query import targets
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.certify import witnessed
 from sim2reason.simulation.channels import Channel
@@ -62,7 +62,7 @@ from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.quantities.subjects.bodies import Bodies
 from sim2reason.questions.moments import MOMENTS, Clause
 from sim2reason.questions.moments.parts.passage import Threshold
-from sim2reason.questions.spoken import spoken
+from sim2reason.questions.words import spoken
 
 
 @MOMENTS.register("sped_up")

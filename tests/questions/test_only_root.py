@@ -9,10 +9,10 @@ import pytest
 
 from plain_scenes import atwood, half_atwood
 from sim2reason.questions import Query, Study
+from sim2reason.questions.conditions import Scan
 from sim2reason.questions.dependence import Dependence, roomy
 from sim2reason.questions.moments.times import AtTime
-from sim2reason.questions.only_root import Scan
-from sim2reason.questions.targets import Target
+from sim2reason.questions.query import Target
 from sim2reason.questions.unknown import far_from
 from sim2reason.simulation.scenes import simulate
 

@@ -12,8 +12,8 @@ from sim2reason.questions import KINDS, MODES, Question
 from sim2reason.questions.moments import Happening
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.part_prompts import AS_PURE, AS_WHOLE, FORMS, PartPrompt, parse_parts, together
+from sim2reason.questions.query import targets
 from sim2reason.questions.references import THAT, referring, spelled_out
-from sim2reason.questions.targets import targets
 
 UNITS = st.lists(st.sampled_from(["m/s", "N·s", "degrees", "m/s²", AS_WHOLE, AS_PURE]), min_size=2, max_size=4)
 SENTENCES = st.sampled_from(["What is it?", "Find the speed (of A) in m/s.", "How many (a) are there?", "A | b"])

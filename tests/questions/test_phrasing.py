@@ -6,11 +6,11 @@ from sim2reason.questions import Words
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.kinds.parts.stretch_kind import nouns
 from sim2reason.questions.moments.burned_out import BurnedOut
-from sim2reason.questions.moments.springs import MostCompressed
+from sim2reason.questions.moments.strings import MostCompressed
 from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.phrasing import again
 from sim2reason.questions.prompt import words_of
-from sim2reason.questions.targets import Target, targets
+from sim2reason.questions.query import Target, targets
 from sim2reason.scenes.bodies.sliders import Block
 from sim2reason.scenes.bodies.space import AirlessPlanet, DeepSpace, LevelGround, Rocket
 from sim2reason.scenes.bodies.spring import NailedSpring

@@ -7,10 +7,9 @@ from hypothesis import strategies as st
 
 from plain_scenes import ramp
 from sim2reason.questions import KINDS, Study
-from sim2reason.questions.parse_question import parse_question
+from sim2reason.questions.parse_question import parse_question, plainly
 from sim2reason.questions.prompt import words_of
-from sim2reason.questions.spellings import plainly
-from sim2reason.questions.spoken import said, say, two_digits
+from sim2reason.questions.words import said, say, two_digits
 from sim2reason.scenes.dsl.units import ASTRONOMICAL, SI
 from sim2reason.text.prose.description import describe
 

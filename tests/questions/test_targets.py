@@ -13,7 +13,7 @@ from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.phrasing import QUOTA, asking, chosen
 from sim2reason.questions.prompt import words_of
-from sim2reason.questions.targets import Target, targets
+from sim2reason.questions.query import Target, targets
 from sim2reason.scenes.bodies.pendulums import FixedBall
 from sim2reason.scenes.bodies.planes import Box, Incline
 from sim2reason.scenes.bodies.round_bodies import Sphere

@@ -8,7 +8,7 @@ from sim2reason.generation.filters import FILTERS, Candidate
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.questions import MODES
 from sim2reason.questions.prompt import words_of
-from sim2reason.questions.targets import targets
+from sim2reason.questions.query import targets
 from sim2reason.scenes.bodies.planes import Plane
 from sim2reason.scenes.dsl.body import Body
 from sim2reason.scenes.dsl.builder import Frame

@@ -11,9 +11,8 @@ from sim2reason.errors import TextError
 from sim2reason.questions.following import FollowedMotion, motion_of
 from sim2reason.questions.posing import PosedQuestion, posed
 from sim2reason.questions.prompt import words_of
-from sim2reason.questions.removal import removable
 from sim2reason.questions.structured import StructuredQuestion
-from sim2reason.questions.variation import variation
+from sim2reason.questions.variation import removable, variation
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.fields import Magnetic
 from sim2reason.scenes.files import load

@@ -12,7 +12,7 @@ from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.angles import Deflected, Orbited
 from sim2reason.questions.moments.distances import Away, Closest, Farthest
-from sim2reason.questions.moments.springs import MostCompressed, MostStretched, NaturalLength
+from sim2reason.questions.moments.strings import MostCompressed, MostStretched, NaturalLength
 from sim2reason.questions.moments.times import AtStart, AtTime, WholeMotion
 from sim2reason.questions.moments.turning_points import LowestPoint, Stopped
 from sim2reason.questions.period_words import PeriodQuery

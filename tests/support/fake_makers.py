@@ -6,8 +6,7 @@ import time
 from dataclasses import replace
 
 from sim2reason.generation.item import Answer, Binding, Distractor, FormulaRecord, Item, Provenance, QueryRecord
-from sim2reason.generation.made import Made
-from sim2reason.generation.request import Request
+from sim2reason.generation.request import Made, Request
 
 BAD = 7  # the index of the item that goes wrong
 

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from sim2reason.scenes.connections.pivot import Pivot
+from sim2reason.scenes.connections.joints import Pivot
 from sim2reason.scenes.connections.string import String
 from sim2reason.scenes.dsl.connection import Connection, Link
 from sim2reason.scenes.dsl.entity import ENTITIES, Entity, Named, outer_ports

@@ -16,7 +16,7 @@ from sim2reason.questions import MODES, Formula, Query
 from sim2reason.questions.parse_prompt import ParsedPrompt, parse_prompt
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.part_prompts import parse_parts
-from sim2reason.questions.spoken import spoken_of
+from sim2reason.questions.words import spoken_of
 from sim2reason.scenes.dsl.entity import Entity, Named
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.solutions import Setting, Solution, solve

@@ -12,8 +12,7 @@ from sim2reason.datasets.generate import generate
 from sim2reason.errors import DatasetError, TrainingError, UnknownNameError
 from sim2reason.grading import Outcome
 from sim2reason.training.corpora import Row, corpus_from
-from sim2reason.training.corpora.parts.encoding import EncodedRow, Limits, encoded, encoded_table, templated
-from sim2reason.training.corpora.parts.mix import mixed
+from sim2reason.training.corpora.parts.mix import EncodedRow, Limits, encoded, encoded_table, mixed, templated
 
 installed = pytest.mark.skipif(
     not all(map(find_spec, ("torch", "transformers", "tokenizers", "accelerate"))),
@@ -170,7 +169,7 @@ def test_plain_rows_are_encoded_apart_and_ended_once(tokenizer: Tokenizer) -> No
 
 @installed
 def test_a_table_holds_what_is_within_the_limits(tokenizer: Tokenizer, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("sim2reason.training.corpora.parts.encoding.TOGETHER", 2)
+    monkeypatch.setattr("sim2reason.training.corpora.parts.mix.TOGETHER", 2)
     rows = [Row("How fast", " is it?"), Row("12" * 9, "1"), Row("1", "2"), Row("12" * 9, "3"), Row("3", "4" * 50)]
     found, left_out = encoded_table(rows, tokenizer, Limits(10, 20, 30), chat=False)
     held = encoded([rows[0], rows[2]], tokenizer, chat=False)

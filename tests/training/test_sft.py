@@ -13,9 +13,9 @@ from typing import Any
 import pytest
 
 from sim2reason.errors import DatasetError, MissingExtraError, TrainingError, UnknownNameError
-from sim2reason.training.sft.by_length import batches_by_length
 from sim2reason.training.sft.config import FineTuning, SftFolder, fine_tuning_from
 from sim2reason.training.sft.run import NEEDED, train_sft
+from sim2reason.training.sft.trainer import batches_by_length
 from sim2reason.training.train import train
 
 installed = pytest.mark.skipif(not all(map(find_spec, NEEDED)), reason="needs the libraries of the extra [train]")
@@ -197,7 +197,7 @@ def test_only_completions_are_learned_whatever_their_prompts_say(settings: Setti
 
     settings |= {"steps": 1, "batch": 32, "learning_rate": 1e-9, "micro_batch": 8}
     train_sft(settings)
-    from sim2reason.training.corpora.parts.encoding import encoded
+    from sim2reason.training.corpora.parts.mix import encoded
     from sim2reason.training.models.parts.checkpoint import Checkpoint
 
     folder = SftFolder(Path(settings["out"]))

@@ -112,7 +112,7 @@ def compare_command(first: str, second: str, out: Path | None, to_json: bool) ->
 @click.option("--json", "to_json", is_flag=True, help="For a program to read.")
 def correlate_command(runs: tuple[Path, ...], across: str | None, up: str, out: Path | None, to_json: bool) -> None:
     """Correlate, across the models of RUNS, accuracy on our problems with that on others: Spearman's ρ."""
-    from sim2reason.evaluation.reports.correlation import correlate, told
+    from sim2reason.evaluation.reports.comparison import correlate, told
 
     found = correlate(runs, across, console.words(up) if up else (), out)
     if to_json:

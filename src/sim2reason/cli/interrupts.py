@@ -7,7 +7,7 @@ from threading import current_thread, main_thread
 from types import FrameType
 from warnings import catch_warnings, simplefilter
 
-from sim2reason.datasets.interrupts import SIGNALS
+from sim2reason.datasets.processes import SIGNALS
 
 PATIENCE = 2.0  # s, after which whoever was interrupted and goes on is interrupted again
 

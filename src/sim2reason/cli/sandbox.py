@@ -4,9 +4,7 @@ from collections.abc import Callable
 from multiprocessing.connection import Connection
 from typing import ParamSpec, TypeVar
 
-from sim2reason.datasets.end_with_parent import end_with_parent
-from sim2reason.datasets.interrupts import deaf_children
-from sim2reason.datasets.processes import ALONE
+from sim2reason.datasets.processes import ALONE, deaf_children, end_with_parent
 from sim2reason.errors import Sim2ReasonError, SimulationError
 
 P = ParamSpec("P")

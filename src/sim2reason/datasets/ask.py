@@ -5,11 +5,10 @@ from collections.abc import Hashable
 from dataclasses import dataclass, field
 from itertools import islice
 
-from sim2reason.datasets.names import modes_named
-from sim2reason.datasets.plan import Names
+from sim2reason.datasets.plan import Names, modes_named
 from sim2reason.generation.certified import CertifiedQuestion
-from sim2reason.generation.forms import formed
 from sim2reason.generation.item import Item
+from sim2reason.generation.item_search import formed
 from sim2reason.generation.make import item_of
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.random_scenes import generator

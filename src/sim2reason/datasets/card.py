@@ -9,10 +9,8 @@ from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from shlex import quote
 
-from sim2reason.datasets.examples import Example
-from sim2reason.datasets.histograms import SHOWN
+from sim2reason.datasets.card_content import SHOWN, Example, of_example, of_histogram
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest
-from sim2reason.datasets.pictures import of_example, of_histogram
 from sim2reason.datasets.plan import DATA, DISTANCE, LICENSE, TRAIN, Config
 from sim2reason.generation.request import SI
 from sim2reason.questions.tolerance import TOLERANCE

@@ -10,9 +10,9 @@ from sim2reason.base.lazy import cached_property
 from sim2reason.base.record import counted
 from sim2reason.datasets import shard_files
 from sim2reason.datasets.hub import push
-from sim2reason.datasets.item_files import ItemFiles
 from sim2reason.datasets.manifest import Manifest, ShardFile, load_sealed, shard, shards
 from sim2reason.datasets.plan import ALL, Names, several
+from sim2reason.datasets.shard_files import ItemFiles
 from sim2reason.datasets.store import Row
 from sim2reason.errors import DatasetError, DrawError
 from sim2reason.generation.item import Item

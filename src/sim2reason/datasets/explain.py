@@ -10,13 +10,12 @@ from sim2reason.datasets.dataset import Dataset
 from sim2reason.errors import DatasetError
 from sim2reason.figures import canvas
 from sim2reason.figures.drawing import drawing
-from sim2reason.generation.certified import CertifiedQuestion
+from sim2reason.generation.certified import CertifiedQuestion, worked
 from sim2reason.generation.filters import in_order
 from sim2reason.generation.item import Item
 from sim2reason.generation.item_search import ItemSearch
 from sim2reason.generation.make import item_of
 from sim2reason.generation.request import Request
-from sim2reason.generation.worked_solutions import worked
 from sim2reason.grading.parts import LABELS
 from sim2reason.simulation import trace_files
 

@@ -10,13 +10,24 @@ from pydantic import ValidationError
 
 from sim2reason.base.registry import nearest
 from sim2reason.base.settings import settings_in
-from sim2reason.datasets.benchmark_files import described
 from sim2reason.datasets.build import build, unseen
-from sim2reason.datasets.contamination import Benchmarks
+from sim2reason.datasets.contamination import Benchmarks, described
 from sim2reason.datasets.dataset import Dataset
-from sim2reason.datasets.names import difficulties_named, modes_named, needs_named, recipes_named
 from sim2reason.datasets.places import HERE
-from sim2reason.datasets.plan import ALL, DISTANCE, LICENSE, MAKER, SHARD, Config, Names, numbers
+from sim2reason.datasets.plan import (
+    ALL,
+    DISTANCE,
+    LICENSE,
+    MAKER,
+    SHARD,
+    Config,
+    Names,
+    difficulties_named,
+    modes_named,
+    needs_named,
+    numbers,
+    recipes_named,
+)
 from sim2reason.errors import DatasetError, DrawError, EvaluationError
 from sim2reason.generation.request import SI, whole
 from sim2reason.questions.spoken_units import system_named

@@ -3,15 +3,22 @@
 from collections.abc import Iterator, Mapping
 from itertools import count
 
-from sim2reason.datasets.names import difficulties_named, modes_named, needs_named, recipes_named
-from sim2reason.datasets.plan import ALL, Config, Names, numbers
+from sim2reason.datasets.plan import (
+    ALL,
+    Config,
+    Names,
+    difficulties_named,
+    modes_named,
+    needs_named,
+    numbers,
+    recipes_named,
+)
 from sim2reason.errors import DrawError
 from sim2reason.generation.certified import CertifiedQuestion
 from sim2reason.generation.item import Item
 from sim2reason.generation.item_search import ItemSearch
 from sim2reason.generation.make import item_of, make
-from sim2reason.generation.request import SI, Request, whole
-from sim2reason.generation.weights import check
+from sim2reason.generation.request import SI, Request, check, whole
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.questions.tolerance import TOLERANCE
 from sim2reason.scenes.dsl.scene import Scene

@@ -17,13 +17,13 @@ import numpy as np
 from pydantic import ValidationError
 
 from sim2reason.base.atomic_files import FOLDER, TEMPORARY, canonical, checksum, put, put_text, sweep
-from sim2reason.datasets.distinct import Marks
+from sim2reason.datasets.card_content import remove_pictures
+from sim2reason.datasets.duplicates import Marks
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Manifest, Shard, ShardFile, load, shards
-from sim2reason.datasets.pictures import remove_pictures
 from sim2reason.datasets.plan import DATA, Config, file_name
 from sim2reason.errors import DatasetError
 from sim2reason.generation.item import Record
-from sim2reason.generation.made import versions
+from sim2reason.generation.request import versions
 
 PLAN = "plan.json"
 R = TypeVar("R", bound=Record)

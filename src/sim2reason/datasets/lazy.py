@@ -6,8 +6,7 @@ from sim2reason.datasets.contamination import Benchmarks
 from sim2reason.datasets.plan import TRAIN, Config
 from sim2reason.errors import DatasetError, DrawError
 from sim2reason.generation.item import Item
-from sim2reason.generation.made import load_maker
-from sim2reason.generation.request import Request
+from sim2reason.generation.request import Request, load_maker
 from sim2reason.generation.splits import split_of
 
 __all__ = ["MOST", "LazyProblems"]

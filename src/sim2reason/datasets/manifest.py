@@ -10,8 +10,8 @@ from typing import Literal, get_args
 from pydantic import Field, ValidationError
 
 from sim2reason.base.atomic_files import canonical
+from sim2reason.datasets.card_content import Counted
 from sim2reason.datasets.cells import Cell, empty
-from sim2reason.datasets.histograms import Counted
 from sim2reason.datasets.plan import Config
 from sim2reason.errors import DatasetError
 from sim2reason.generation.item import Record

@@ -1,24 +1,30 @@
-"""What a dataset shall hold: position k ↦ request, a pure function of the configuration."""
+"""Plan of a dataset: the request at each position, as a pure function of the configuration."""
 
 import hashlib
 import json
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import product, starmap
 from math import isclose, lcm
 from numbers import Real
 from typing import Annotated, cast
 
 from annotated_types import Ge, Le, MinLen
-from pydantic import Field, field_validator
+from pydantic import AfterValidator, BaseModel, Field, field_validator
 
 from sim2reason.base.lazy import cached_property
-from sim2reason.datasets.benchmark_files import BenchmarkFile
-from sim2reason.errors import DatasetError, DrawError
+from sim2reason.base.settings import held_to
+from sim2reason.datasets.contamination import BenchmarkFile
+from sim2reason.errors import DatasetError, DrawError, UnknownNameError
 from sim2reason.generation.item import Record
+from sim2reason.generation.recipes import RECIPES, all_recipes, difficulty_named
 from sim2reason.generation.request import LARGEST, SI, Request, Weights
-from sim2reason.questions.difficulty import DIFFICULTIES
+from sim2reason.questions import MODES
+from sim2reason.questions.difficulty import DIFFICULTIES, Difficulty
+from sim2reason.questions.need import NEEDS, Need
 from sim2reason.questions.tolerance import TOLERANCE, out_of_range
+
+__all__ = ["Chosen"]
 
 MAKER = "sim2reason.generation.make:make"
 """The maker of items, by dotted path, so that a worker process can find it."""
@@ -201,3 +207,64 @@ class Config(Record):
 def file_name(number: int, total: int, split: str = TRAIN) -> str:
     """Return the file of a shard and a split, named as the Hugging Face hub does."""
     return f"{DATA}/{split}-{number:05}-of-{total:05}.parquet"
+
+
+def recipes_named(names: Names, *, check: bool = True) -> tuple[str, ...]:
+    """Recipes; `check` raises UnknownNameError, with what is near, for one that there is not."""
+    found = all_recipes() if names == ALL else several("recipe", names)
+    for name in found if check else ():
+        RECIPES[name]
+    return found
+
+
+def modes_named(names: Names, *, check: bool = True) -> tuple[str, ...]:
+    """Modes of questions, checked as recipes are."""
+    found = tuple(MODES) if names == ALL else several("mode", names)
+    for name in found if check else ():
+        MODES[name]
+    return found
+
+
+def difficulties_named(names: Names) -> tuple[Difficulty, ...]:
+    """Difficulties; UnknownNameError for another."""
+    found = DIFFICULTIES if names == ALL else several("difficulty", names)
+    return tuple(difficulty_named(name) for name in found)
+
+
+def needs_named(names: Names) -> tuple[str, ...]:
+    """Needs of solutions by their labels, each once and in ascending order; UnknownNameError for another.
+
+    A hyphen may stand for a space. Without any the default quota holds.
+    """
+    found = {_need(name) for name in (tuple(NEEDS) if names == ALL else several("needs", names))}
+    return tuple(need.label for need in sorted(found))
+
+
+def _need(name: str) -> Need:
+    need = NEEDS.get(name.replace("-", " "))
+    if need is None:
+        raise UnknownNameError(f"no such need: {name!r}; there are: {', '.join(NEEDS)}, or {ALL}")
+    return need
+
+
+Given = str | tuple[str, ...]
+"""One name, several, or ``all``."""
+
+
+def _known(named: Callable[[Given], tuple[str, ...]]) -> AfterValidator:
+    """Return a validator: `named` raises for a name that there is not."""
+
+    def check(value: Given) -> Given:
+        if not value:
+            raise ValueError(f"names none; give one, several, or {ALL}")
+        return held_to(named, value)
+
+    return AfterValidator(check)
+
+
+class Chosen(BaseModel):
+    """Settings of problems that are drawn, which classes of settings inherit."""
+
+    recipe: Annotated[Given, _known(recipes_named)] = ALL
+    difficulty: Annotated[Given, _known(difficulties_named)] = ALL
+    modes: Annotated[Given, _known(modes_named)] = ("numeric",)

@@ -1,18 +1,43 @@
-"""Processes that load the library, and never run the program that started them.
+"""Worker processes: their start, their end with the parent, and interrupts."""
 
-The contexts of the standard library have a new process read the caller's program first. Where that has no guard by
-``__name__``, its lines run once more in every process.
-"""
-
+import os
+import signal
 from collections.abc import Generator
 from contextlib import contextmanager
-from multiprocessing import spawn
+from multiprocessing import parent_process, resource_tracker, spawn
 from multiprocessing.context import SpawnContext, SpawnProcess
 from multiprocessing.process import BaseProcess
-from threading import Lock, get_ident
+from threading import Lock, Thread, get_ident
 from typing import Any
 
 __all__ = ["ALONE"]
+
+
+def end_with_parent() -> None:
+    """From now on end this process when its parent is gone; nothing happens in a process that has none."""
+    Thread(target=_wait, daemon=True).start()
+
+
+def _wait() -> None:
+    parent = parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)
+
+
+SIGNALS = signal.SIGINT, signal.SIGTERM
+
+
+@contextmanager
+def deaf_children() -> Generator[None, None, None]:
+    """Processes that start in the block hear none of `SIGNALS`, from their first moment on; ours waits for its end."""
+    resource_tracker.ensure_running()  # it would lift the block while it starts
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, SIGNALS)
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
 
 PROGRAM = "init_main_from_name", "init_main_from_path"
 """What a new process is told about the caller's program."""

@@ -1,15 +1,25 @@
-"""The files of a shard: written, and read back as items."""
+"""Shards of a dataset: their files and records, written, read back and extended."""
 
 from collections.abc import Generator, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from itertools import accumulate
 from pathlib import Path
+from typing import Any, overload
 
 from sim2reason.base.atomic_files import checksum, put
+from sim2reason.base.optional import optional
 from sim2reason.datasets import store
-from sim2reason.datasets.manifest import Counts, Shard, ShardFile, merged
+from sim2reason.datasets.card_content import counted
+from sim2reason.datasets.cells import table, together
+from sim2reason.datasets.duplicates import Marks, marks
+from sim2reason.datasets.journal import Journal
+from sim2reason.datasets.manifest import REFUSALS, Counts, Shard, ShardFile, merged
 from sim2reason.datasets.plan import file_name
 from sim2reason.errors import DatasetError
 from sim2reason.generation.item import Item
+from sim2reason.generation.splits import split_of
+
+__all__ = ["ItemFiles"]
 
 COUNTED = "recipe", "difficulty", "mode", "kind", "needs"
 BySplit = Mapping[str, Sequence[Item]]
@@ -76,3 +86,113 @@ def _checked(out: Path, file: ShardFile) -> Generator[Path, None, None]:
 def items(out: Path, shard: Shard, split: str | None = None) -> Iterator[Item]:
     """Return the items of one shard, by default of all its splits, one after the other."""
     return (item for file in shard.files if split in (None, file.split) for item in read(out, file))
+
+
+Placed = Sequence[tuple[int, Item]]
+"""Items with their positions, in order."""
+
+
+def put_shard(journal: Journal, shard: Shard, items: Placed) -> None:
+    """Write the files of a shard that holds `items`, then its record, which is `shard` with what hangs on them."""
+    config = journal.plan.config
+    homes = [(split_of(item, config.split), item) for _, item in items]
+    by_split = {name: [item for home, item in homes if home == name] for name in config.split}
+    asked = [((cell.mode, cell.kind, cell.recipe), cell.asked) for cell in shard.cells]
+    changed = {
+        "files": write(journal.out, journal.folder, shard.number, journal.shards, by_split),
+        "counts": counts(by_split),
+        "histograms": counted(item for _, item in items),
+        "cells": table(asked, ((item.mode, kind, item.recipe) for _, item in items for kind in item.kinds)),
+    }
+    journal.note(shard.model_copy(update=changed), marks(items, scenes=len(config.split) > 1))
+
+
+def lengthened(shard: Shard, by: Shard) -> Shard:
+    """Return the record of the positions of a shard and those behind them, but for what hangs on its items."""
+    refused = {kind: (*getattr(shard, kind), *getattr(by, kind)) for kind in REFUSALS}
+    changed = {
+        "positions": (shard.positions[0], by.positions[1]),
+        "rejected": merged([shard.rejected, by.rejected]),
+        "cells": together([shard.cells, by.cells]),
+    }
+    return shard.model_copy(update=refused | changed)
+
+
+def shard_of(journal: Journal, number: int) -> Shard:
+    """Return the record of a shard that stands."""
+    shard = journal.shard(number)
+    if shard is None:
+        raise DatasetError(f"{journal.folder}: the record of shard {number} is gone; give the same command again")
+    return shard
+
+
+def items_of(journal: Journal, shard: Shard) -> list[tuple[int, Item]]:
+    """Return the items of a shard with their positions, in order."""
+    config = journal.plan.config
+    named = ((config.position(config.named(item.id)), item) for item in items(journal.out, shard))
+    return sorted(named, key=lambda pair: pair[0])
+
+
+def marks_of(journal: Journal, number: int) -> Marks:
+    """Return what no other item may share with those of a shard, read from its files where it was not kept."""
+    known, shard = journal.marks(number), shard_of(journal, number)
+    if known is None or len(known.table) != shard.rows:
+        known = marks(items_of(journal, shard), scenes=len(journal.plan.config.split) > 1)
+        journal.keep(number, known)
+    return known
+
+
+class ItemFiles(Sequence[Item]):
+    """Lazy sequence of the items of a dataset or of one of its splits, in their order in the dataset.
+
+    The files are read one at a time, and the items of the last file are kept. A damaged file raises a DatasetError
+    that names it.
+    """
+
+    def __init__(self, path: Path, files: Sequence[ShardFile], split: str = "") -> None:
+        """Store the files without reading them; `split` is the name of the split if all items belong to one split."""
+        self.path, self.split = path, split
+        self._files = tuple(files)
+        self._ends = list(accumulate(file.rows for file in self._files))
+        self._last: tuple[int, list[Item]] = -1, []
+
+    def __repr__(self) -> str:
+        """Return a text with the number of items, the folder and the split."""
+        return f"<{len(self)} items of {str(self.path)!r}{f', split {self.split}' if self.split else ''}>"
+
+    def __len__(self) -> int:
+        """Return the number of items."""
+        return self._ends[-1] if self._ends else 0
+
+    def __iter__(self) -> Iterator[Item]:
+        """Return an iterator over all items in order, which keeps a single file in memory."""
+        return (item for file in self._files for item in read(self.path, file))
+
+    @overload
+    def __getitem__(self, place: int) -> Item: ...
+    @overload
+    def __getitem__(self, place: slice) -> list[Item]: ...
+    def __getitem__(self, place: int | slice) -> Item | list[Item]:
+        """Return the item at an index, or a list of the items in a slice; IndexError if the index is out of range."""
+        if isinstance(place, slice):
+            return [self._at(number) for number in range(*place.indices(len(self)))]
+        number = place + len(self) if place < 0 else place
+        if not 0 <= number < len(self):
+            raise IndexError(f"there is no place {place} among {len(self)} items")
+        return self._at(number)
+
+    def to_pandas(self) -> Any:  # noqa: ANN401 - pandas is no package that the library needs
+        """Return a pandas DataFrame with a row for each item and the columns of the dataset's files.
+
+        Raises:
+            MissingExtraError: pandas is not installed.
+        """
+        pandas = optional("pandas")
+        found = [row for file in self._files for row in rows(self.path, file, store.COLUMNS)]
+        return pandas.DataFrame(found, columns=store.COLUMNS)
+
+    def _at(self, number: int) -> Item:
+        place = next(n for n, end in enumerate(self._ends) if number < end)
+        if self._last[0] != place:
+            self._last = place, read(self.path, self._files[place])
+        return self._last[1][number - self._ends[place]]

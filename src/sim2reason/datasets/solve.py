@@ -6,24 +6,24 @@ from typing import NamedTuple
 
 from sim2reason.base.record import abridged
 from sim2reason.errors import DrawError, SceneError, TextError
+from sim2reason.generation.certified import worked
 from sim2reason.generation.item import Item
 from sim2reason.generation.item_search import ItemSearch
 from sim2reason.generation.make import item_of
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.random_scenes import generator
 from sim2reason.generation.request import Request
-from sim2reason.generation.worked_solutions import worked
 from sim2reason.questions import MODES, StatedResult, Words
-from sim2reason.questions.derived_numbers import with_number
 from sim2reason.questions.following import Followed, eventful, follow, motion_of
 from sim2reason.questions.moments.times import WholeMotion
 from sim2reason.questions.ordinary.nearest import nearest_said
 from sim2reason.questions.ordinary.understanding import understood
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.posing import VALUE, PosedQuestion, posed
+from sim2reason.questions.query import targets
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.questions.structured import StructuredQuestion
-from sim2reason.questions.targets import targets
+from sim2reason.questions.unknown import with_number
 from sim2reason.scenes.dsl.measures import join_unit
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import SceneLike, given_scene, question_of

@@ -5,9 +5,9 @@ from pathlib import Path
 
 from sim2reason.base.atomic_files import checksum, put_text, sweep
 from sim2reason.datasets import card, shard_files
+from sim2reason.datasets.build import CARD
+from sim2reason.datasets.card_content import counted
 from sim2reason.datasets.dataset import Dataset
-from sim2reason.datasets.finish import CARD
-from sim2reason.datasets.histograms import counted
 from sim2reason.datasets.manifest import MANIFEST, SHARDS, Counts, Manifest, Shard, all_histograms, merged, shards
 from sim2reason.generation.item import Item
 

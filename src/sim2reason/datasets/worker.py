@@ -10,12 +10,10 @@ from dataclasses import dataclass, field, replace
 from importlib import import_module
 from multiprocessing.connection import Connection
 
-from sim2reason.datasets.end_with_parent import end_with_parent
-from sim2reason.datasets.interrupts import SIGNALS
+from sim2reason.datasets.processes import SIGNALS, end_with_parent
 from sim2reason.errors import DatasetError
 from sim2reason.generation.item import Item
-from sim2reason.generation.made import Made, Maker, load_maker
-from sim2reason.generation.request import Request
+from sim2reason.generation.request import Made, Maker, Request, load_maker
 
 YOUNG = 20_000  # objects more than before, after which the cycles among the new ones are looked for
 

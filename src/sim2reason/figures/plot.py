@@ -1,7 +1,4 @@
-"""Plots of a motion: a panel for each quantity, a line for each body, events marked and the part cut off shaded."""
-
-# pyright: reportUnknownMemberType=false
-# matplotlib leaves its keyword arguments untyped.
+"""Plots of a motion, and histograms."""
 
 from collections.abc import Iterable, Sequence
 from pathlib import Path
@@ -10,17 +7,34 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from sim2reason.figures.canvas import check, matplotlib, save, settings
-from sim2reason.figures.curves import Mark, MotionCurves, Panel, motion_curves
-from sim2reason.figures.trajectories import Trajectories
+from sim2reason.figures.curves import Mark, MotionCurves, Panel, Trajectories, motion_curves
 from sim2reason.scenes.dsl.measures import show_unit
 from sim2reason.simulation.trace import Trace
 from sim2reason.text.prose.description import Description
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+from collections.abc import Mapping
+from dataclasses import dataclass
 
-WIDE, TALL, PLANE, ROW = 8.0, 1.75, 3.4, 0.19  # inches: the figure, a panel, one of paths, a line of events
-TOP, GAP, LEFT, RIGHT = 0.4, 0.2, 0.095, 0.74  # inches above and between panels; their sides as parts of the width
+from sim2reason.figures.canvas import as_png
+
+# pyright: reportUnknownMemberType=false
+# matplotlib leaves its keyword arguments untyped.
+
+
+PLOT_WIDTH, PLOT_HEIGHT, PLANE, ROW = (
+    8.0,
+    1.75,
+    3.4,
+    0.19,
+)  # inches: the figure, a panel, one of paths, a line of events
+TOP, GAP, PLOT_LEFT, PLOT_RIGHT = (
+    0.4,
+    0.2,
+    0.095,
+    0.74,
+)  # inches above and between panels; their sides as parts of the width
 COLORS = ("#1b5e9b", "#c2571a", "#2e7d4f", "#8a3d8f", "#7a5a12", "#555555", "#c01f4e", "#0f8b8d")
 STYLES = ("-", "--", "-.", ":")
 SHADE = "#dddddd"
@@ -56,16 +70,16 @@ def plot(trace: Trace, description: Description, path: Path, dpi: int = 120) -> 
 
         rows = listed(shown.marks, second)
         below = 0.55 + ROW * len(rows)
-        height = TOP + PLANE * len(shown.trajectories) + TALL * len(shown.panels) + below
-        figure, colors = Figure(figsize=(WIDE, height)), Colors()
+        height = TOP + PLANE * len(shown.trajectories) + PLOT_HEIGHT * len(shown.panels) + below
+        figure, colors = Figure(figsize=(PLOT_WIDTH, height)), Colors()
         low = height - 0.15
         for group in shown.trajectories:
             low -= PLANE
             _paths(figure.add_axes(_area(low + 0.45, PLANE - 0.5, height)), group, shown, colors)
-        low = below + TALL * len(shown.panels)
+        low = below + PLOT_HEIGHT * len(shown.panels)
         for number, panel in enumerate(shown.panels):
-            low -= TALL
-            axes = figure.add_axes(_area(low, TALL - GAP, height))
+            low -= PLOT_HEIGHT
+            axes = figure.add_axes(_area(low, PLOT_HEIGHT - GAP, height))
             _panel(axes, panel, shown, colors)
             if number == 0:
                 _numbers(axes, shown)
@@ -74,7 +88,7 @@ def plot(trace: Trace, description: Description, path: Path, dpi: int = 120) -> 
             else:
                 axes.set_xlabel(f"time ({second})")
         for row, line in enumerate(rows):
-            figure.text(LEFT, (0.1 + ROW * (len(rows) - row - 1)) / height, line, fontsize=8)
+            figure.text(PLOT_LEFT, (0.1 + ROW * (len(rows) - row - 1)) / height, line, fontsize=8)
         save(figure, path, dpi)
 
 
@@ -89,7 +103,7 @@ def listed(marks: Sequence[Mark], second: str) -> list[str]:
 
 def _area(low: float, tall: float, height: float) -> tuple[float, float, float, float]:
     """Inches from below as parts of the figure."""
-    return LEFT, low / height, RIGHT - LEFT, tall / height
+    return PLOT_LEFT, low / height, PLOT_RIGHT - PLOT_LEFT, tall / height
 
 
 class Colors:
@@ -214,3 +228,69 @@ def _numbers(axes: "Axes", shown: MotionCurves) -> None:
             axes.text(
                 middle, 0.5, why, transform=axes.get_xaxis_transform(), ha="center", va="center", fontsize=7, bbox=box
             )
+
+
+# pyright: reportUnknownMemberType=false
+# matplotlib leaves its keyword arguments untyped.
+
+
+HISTOGRAM_WIDTH, HISTOGRAM_HEIGHT, BAR = 6.4, 3.0, 0.2  # inches: the figure, one with upright bars, a bar that lies
+HISTOGRAM_LEFT, BELOW, ABOVE, HISTOGRAM_RIGHT = (
+    0.6,
+    0.45,
+    0.3,
+    0.1,
+)  # inches around the axes; the names of the series stand above
+LETTER = 0.062  # inches of a letter of a label, about
+TICKS = 16  # labels below upright bars, at most
+
+
+@dataclass(frozen=True)
+class Histogram:
+    """Numbers of things for each label, in series of one name; `lying` gives long labels room."""
+
+    axis: str
+    """What upright bars stand for; of those that lie, the labels say it."""
+    labels: Sequence[str]
+    series: Mapping[str, Sequence[int]]
+    lying: bool = False
+
+
+def png(histogram: Histogram, dpi: int = 100) -> bytes:
+    """Return the bytes of a PNG, the same every time; MissingExtraError if matplotlib is not installed."""
+    with settings({"font.size": 8.0}):
+        from matplotlib.figure import Figure  # noqa: PLC0415 - heavy, and an extra
+
+        lying, count = histogram.lying, len(histogram.labels)
+        left = HISTOGRAM_LEFT + LETTER * max(map(len, histogram.labels), default=0) if lying else HISTOGRAM_LEFT
+        tall = BELOW + ABOVE + BAR * (count + 1) if lying else HISTOGRAM_HEIGHT
+        figure = Figure(figsize=(HISTOGRAM_WIDTH, tall))
+        area = (
+            left / HISTOGRAM_WIDTH,
+            BELOW / tall,
+            1.0 - (left + HISTOGRAM_RIGHT) / HISTOGRAM_WIDTH,
+            1.0 - (BELOW + ABOVE) / tall,
+        )
+        axes = figure.add_axes(area)
+        places, below = range(count), [0] * count
+        for number, (name, values) in enumerate(histogram.series.items()):
+            color = COLORS[number % len(COLORS)]
+            if lying:
+                axes.barh(places, values, left=below, color=color, label=name)
+            else:
+                axes.bar(places, values, bottom=below, color=color, label=name)
+            below = [low + value for low, value in zip(below, values, strict=True)]
+        shown = range(0, count, 1 if lying else -(-count // TICKS) or 1)
+        ticks = [histogram.labels[place] for place in shown]
+        if lying:
+            axes.set_yticks(shown, ticks)
+            axes.invert_yaxis()
+            axes.set_xlabel("problems")
+        else:
+            axes.set_xticks(shown, ticks)
+            axes.set(xlabel=histogram.axis, ylabel="problems")
+        if len(histogram.series) > 1:
+            names = len(histogram.series)
+            axes.legend(frameon=False, ncols=names, loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.2)
+        axes.spines[["top", "right"]].set_visible(False)
+        return as_png(figure, dpi)

@@ -21,7 +21,7 @@ from sim2reason.base.record import abridged
 from sim2reason.grading.parts import LABELS
 from sim2reason.questions.choice_prompts import LETTERS
 from sim2reason.scenes.dsl.measures import join_unit
-from sim2reason.text.prose.formula_numbers import counted_in, said_in
+from sim2reason.text.prose.symbol_names import counted_in, said_in
 
 WIDTH = 88  # characters in a line of a prompt that is printed
 

@@ -1,7 +1,8 @@
-"""Draw scenes and ask about them until one question passes every filter: the kinds of question by their weights."""
+"""Search for an item: scenes are drawn and asked about until one question passes every filter."""
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -9,15 +10,63 @@ from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.generation.certified import CertifiedQuestion
 from sim2reason.generation.filters.well_known import FEW_LAWS
 from sim2reason.generation.filters.worked_solutions import COUNTED
-from sim2reason.generation.forms import formed
-from sim2reason.generation.needs import allowed
+from sim2reason.generation.item import Answer
+from sim2reason.generation.options import ENOUGH, distractors, options, options_of_two
+from sim2reason.generation.part_search import PartSearch
 from sim2reason.generation.question_search import NOTHING, UNSUITED, QuestionSearch
 from sim2reason.generation.random_scenes import generator
 from sim2reason.generation.recipes import RECIPES, difficulty_named
-from sim2reason.generation.request import Request
-from sim2reason.generation.weights import in_drawn_order
-from sim2reason.questions import KINDS, MODES
+from sim2reason.generation.request import Request, in_drawn_order
+from sim2reason.questions import KINDS, MODES, QuestionMode
 from sim2reason.questions.difficulty import Difficulty
+from sim2reason.questions.need import ELEMENTARY, EVERY, NEEDS, Need
+
+SHARE = 0.08
+"""Of the requests that may be filled by items which need more than `ELEMENTARY`; not all of them are."""
+SIMPLE = frozenset(need for need in Need if need <= ELEMENTARY)
+
+
+def allowed(request: Request) -> frozenset[Need]:
+    """Return what the item of a request may need: what is ordered, else a draw by `SHARE`."""
+    if request.needs:
+        return frozenset(NEEDS[name] for name in request.needs)
+    if request.unfiltered:
+        return EVERY
+    asked = request.recipe, request.difficulty, request.mode, request.seed, request.index
+    return EVERY if generator(*asked, "needs").random() < SHARE else SIMPLE
+
+
+FEW_OPTIONS = "options: too few wrong answers"
+
+
+def formed(
+    found: CertifiedQuestion,
+    search: QuestionSearch,
+    mode: QuestionMode,
+    difficulty: Difficulty,
+    rng: np.random.Generator,
+    refused: Counter[str],
+    name: str,
+) -> CertifiedQuestion | None:
+    """Return the problem of a mode; None where the scene offers none, which is counted in `refused`.
+
+    The order of options hangs on the `name` alone.
+    """
+    if mode.several:
+        return PartSearch(search, mode, difficulty, rng, refused).around(found)
+    if not mode.offers_options:
+        return found
+    question = found.question
+    answer = Answer(value=question.answer, unit=question.unit, sign=question.sign, tolerance=found.candidate.tolerance)
+    if found.candidate.kind.names_one:
+        chosen = options_of_two(answer, distractors(found.candidate, found.description), name)
+    else:
+        chosen = options(answer, distractors(found.candidate, found.description, ENOUGH), name)
+    if chosen is None:
+        refused[FEW_OPTIONS] += 1
+        return None
+    return replace(found, options=chosen)
+
 
 SCENES = 60  # drawn for one item, at most
 TOGETHER = 2  # of them are asked for the first kind before another one has its turn

@@ -16,14 +16,13 @@ import numpy as np
 from sim2reason.generation.certified import CertifiedPart, CertifiedQuestion
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.questions import KINDS, Moment, Query, Question, QuestionMode, Study, Target
-from sim2reason.questions.change import changed, is_something
-from sim2reason.questions.constancy import lasts
+from sim2reason.questions.choices import changed, is_something, lasts
 from sim2reason.questions.difficulty import Difficulty
 from sim2reason.questions.kinds.parts.stretch_kind import StretchKind
 from sim2reason.questions.moments import Happening
 from sim2reason.questions.moments.times import AllAlong, AtStart
 from sim2reason.questions.part_prompts import together
-from sim2reason.questions.targets import Targets, targets
+from sim2reason.questions.query import Targets, targets
 from sim2reason.questions.tolerance import TOLERANCE
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities import QUANTITIES

@@ -29,8 +29,8 @@ from sim2reason.questions.outcomes import OUTCOMES
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.questions.posing import posed
 from sim2reason.questions.prompt import words_of
+from sim2reason.questions.query import targets
 from sim2reason.questions.structured import StructuredQuestion, moment_told
-from sim2reason.questions.targets import targets
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import loads
 from sim2reason.text.prose.description import describe

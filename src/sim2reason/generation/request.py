@@ -1,14 +1,25 @@
-"""An order for one item: its coordinates, and the id that they give it."""
+"""Request for one item, the result of a maker, and the weights of kinds of question."""
 
 import hashlib
 import json
+import platform
 import re
-from dataclasses import dataclass, replace
+import sys
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cache
+from importlib import import_module
+from importlib.metadata import version
+from math import isfinite
 from operator import index as as_index
 from typing import Self, SupportsIndex, cast
 
-from sim2reason.errors import DrawError
+import numpy as np
+
+from sim2reason.errors import DatasetError, DrawError
 from sim2reason.generation.item import Item
+from sim2reason.generation.recipes import RECIPES
+from sim2reason.questions import KINDS, MODES
 from sim2reason.questions.tolerance import TOLERANCE, out_of_range
 
 LARGEST = 2**63 - 1
@@ -115,3 +126,96 @@ class Request:
 def _digest(chosen: tuple[tuple[str | float, ...] | str, ...]) -> str:
     """Return a short name for what an order says beside its coordinates."""
     return hashlib.sha256(json.dumps(chosen).encode()).hexdigest()[:8]
+
+
+SHAPING = "sim2reason", "mujoco", "numpy", "pyarrow", "pydantic", "sympy"
+"""The packages whose versions may change the bytes of a dataset."""
+
+
+@dataclass(frozen=True, slots=True)
+class Made:
+    """What a maker gives back.
+
+    `item` is None if no draw passed within the maker's budget, which is counted in steps, never in seconds.
+    `rejected` counts the draws that were refused on the way, by filter or reason. `wanted` is the kind of question that
+    was tried first, by the weights, among those that the scenes offer; empty for none.
+    """
+
+    item: Item | None
+    rejected: dict[str, int] = field(default_factory=dict[str, int])
+    wanted: str = ""
+
+
+Maker = Callable[[Request], Made]
+
+
+@cache
+def versions() -> dict[str, str]:
+    """Return all that may change the bytes beside the configuration: packages, Python and platform."""
+    found = {"python": platform.python_version(), "platform": f"{sys.platform}-{platform.machine()}"}
+    for package in SHAPING:
+        found[package] = version(package)
+    return dict(sorted(found.items()))
+
+
+def load_maker(path: str) -> Maker:
+    """Import a maker from ``package.module:function``; DatasetError if there is none."""
+    module, _, name = path.partition(":")
+    try:
+        return cast("Maker", getattr(import_module(module), name))
+    except (ImportError, AttributeError, ValueError) as error:
+        raise DatasetError(f"{path}: no maker of items can be imported from here ({error})") from error
+
+
+REMEDY = "write KIND, MODE.KIND, RECIPE.KIND or RECIPE.MODE.KIND, as in reverse.period=0.5"
+
+
+def weight(kind: str, mode: str, recipe: str, ordered: Mapping[str, float]) -> float:
+    """Return how often a kind is asked, compared with others: as ordered, else as its class and the recipe declare."""
+    for name in (f"{recipe}.{mode}.{kind}", f"{recipe}.{kind}", f"{mode}.{kind}", kind):
+        if name in ordered:
+            return ordered[name]
+    declared = RECIPES[recipe].weights
+    own = declared.get(f"{mode}.{kind}", declared.get(kind, 1.0))
+    return KINDS[kind].share * MODES[mode].weights.get(kind, 1.0) * own
+
+
+def in_drawn_order(mode: str, recipe: str, ordered: Weights, rng: np.random.Generator) -> list[str]:
+    """Return all kinds of a mode but those of weight 0, each the next one by its weight among those that are left.
+
+    Where the first one that can be had is taken, each is by its weight among those that can be had.
+    """
+    given = dict(ordered)
+    found = {kind: weight(kind, mode, recipe, given) for kind in _kinds(mode)}
+    kinds = [kind for kind, size in found.items() if size > 0.0]
+    sizes = np.array([found[kind] for kind in kinds])
+    order: list[int] = rng.choice(len(kinds), size=len(kinds), replace=False, p=sizes / sizes.sum()).tolist()
+    return [kinds[number] for number in order]
+
+
+def check(weights: Mapping[str, float], modes: tuple[str, ...], recipes: tuple[str, ...]) -> None:
+    """DatasetError for a weight that is none, a name that means nothing, and where no kind is left to be asked."""
+    for name, size in weights.items():
+        if not (isfinite(size) and size >= 0.0):
+            raise _error(name, f"{size} is no weight", "give a number that is not negative; 0 is never asked")
+        *before, kind = name.split(".")
+        if kind not in KINDS:
+            raise _error(name, f"there is no kind {kind!r}", f"there are: {', '.join(KINDS)}; {REMEDY}")
+        known = (RECIPES, MODES) if len(before) > 1 else (RECIPES if before and before[0] in RECIPES else MODES,)
+        asking = next((MODES[part] for part in before if part in MODES), None)
+        if asking is not None and size > 0.0 and kind not in asking.kinds:
+            raise _error(name, f"the mode {asking.name} has no {kind!r}", f"it has: {', '.join(_kinds(asking.name))}")
+        if len(before) > 2 or any(part not in found for part, found in zip(before, known, strict=False)):
+            raise _error(name, f"{'.'.join(before)!r} is no recipe, mode, or recipe and mode", REMEDY)
+    for mode in dict.fromkeys(modes):
+        for recipe in dict.fromkeys(recipes):
+            if not any(weight(kind, mode, recipe, weights) > 0.0 for kind in _kinds(mode)):
+                raise _error(f"{recipe}.{mode}", "all kinds have the weight 0", "leave one that can be asked")
+
+
+def _kinds(mode: str) -> list[str]:
+    return [kind for kind in KINDS if kind in MODES[mode].kinds]
+
+
+def _error(name: str, problem: str, remedy: str) -> DatasetError:
+    return DatasetError(f"weights: {name}: {problem}; {remedy}")

@@ -1,12 +1,101 @@
-"""Which split an item belongs to: by its problem up to numbers, so that none has relatives on both sides."""
+"""Assignment of items to splits by fingerprints of their problems without numbers."""
 
+import json
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from functools import lru_cache
 from hashlib import blake2b
-from itertools import accumulate
+from itertools import accumulate, permutations
+from math import log, pi
+from typing import NamedTuple
 
-from sim2reason.generation.formula_fingerprint import fingerprint
 from sim2reason.generation.item import Item, QueryRecord
+from sim2reason.grading.evaluate import CompiledFormula, compiled
+from sim2reason.scenes.dsl.units import Dimension, parse_unit
+
+POINTS = 6  # at which formulas are looked at; some have no value at most points, as where a square root is imaginary
+PAIRED = 3  # of them at which pairs of symbols are moved, too
+RANGE = 0.2, 5.0  # of values in coherent units
+ANGLES = 0.1 * pi, 0.45 * pi  # rad
+STEPS = 1.3717, 1.7331  # factors by which the first and the second symbol of a pair are moved
+DIGITS = 6  # of a value relative to the largest: far more than rounding takes, so that a boundary is seldom met
+FEWEST = 4  # values other than zero by which a formula can be told from others
+
+Values = Mapping[tuple[int, ...], float | None]
+"""The values at one point, by the places of the symbols that are moved; None where there is none."""
+
+
+class _Rounded(NamedTuple):
+    """The values at one point as whole multiples of a share of the largest, and the logarithm of the largest."""
+
+    multiples: Mapping[tuple[int, ...], int | None]
+    size: float
+
+
+@lru_cache(maxsize=2048)
+def fingerprint(latex: str, symbols: tuple[str, ...], units: tuple[str, ...]) -> str:
+    """Return the fingerprint of a formula whose symbols have numbers in some coherent units.
+
+    The text itself where it has too few values to be told from others, or can't be read.
+    """
+    try:
+        formula = compiled(latex, symbols)
+    except ValueError:
+        return latex
+    unit_of = dict(zip(symbols, units, strict=True))
+    roles = [parse_unit(unit_of[name]).dimension for name in formula.symbols]
+    found = [_rounded(_values(formula, roles, point)) for point in range(POINTS)]
+    if sum(bool(value) for each in found if each for value in each.multiples.values()) < FEWEST:
+        return latex
+    signed = (json.dumps(_form(found, roles, sign)) for sign in (1, -1))
+    return blake2b(min(signed).encode(), digest_size=16, person=b"formula").hexdigest()
+
+
+def _values(formula: CompiledFormula, roles: Sequence[Dimension], point: int) -> Values:
+    base = [_number(role, point) for role in roles]
+    places = range(len(roles))
+    moves = [(), *((place,) for place in places), *(permutations(places, 2) if point < PAIRED else ())]
+    return {moved: formula.value(dict(zip(formula.symbols, _moved(base, moved), strict=True))) for moved in moves}
+
+
+def _number(role: Dimension, point: int) -> float:
+    """Return the value given to all symbols of one dimension when two formulas are compared at a sample point."""
+    digest = blake2b(f"{point} {tuple(role)}".encode(), digest_size=8).digest()
+    low, high = ANGLES if role == Dimension(angle=1) else RANGE
+    return low * (high / low) ** (int.from_bytes(digest, "big") / 2.0**64)
+
+
+def _moved(base: Sequence[float], moved: tuple[int, ...]) -> Iterator[float]:
+    factors = dict(zip(moved, STEPS, strict=False))
+    return (number * factors.get(place, 1.0) for place, number in enumerate(base))
+
+
+def _rounded(values: Values) -> _Rounded | None:
+    """Return the values at a point without their size; None if there is none but zero."""
+    largest = max((abs(value) for value in values.values() if value is not None), default=0.0)
+    if not largest:
+        return None
+    share = 10.0**DIGITS / largest
+    return _Rounded({at: None if v is None else round(v * share) for at, v in values.items()}, log(largest))
+
+
+def _form(found: Sequence[_Rounded | None], roles: Sequence[Dimension], sign: int) -> object:
+    """Return the values times a sign, in an order that does not hang on the order or names of the symbols."""
+    first = next(each.size for each in found if each)
+    sizes = [each and round((each.size - first) * 10**DIGITS) for each in found]
+
+    def at(*moved: int) -> list[int]:
+        # what has no value sorts as a number that no value has
+        held = (each.multiples.get(moved) if each else None for each in found)
+        return [2 * 10**DIGITS if value is None else sign * value for value in held]
+
+    def seen_from(place: int) -> object:
+        others = (other for other in range(len(roles)) if other != place)
+        pairs = sorted((tuple(roles[other]), at(place, other), at(other, place)) for other in others)
+        return tuple(roles[place]), at(place), pairs
+
+    return sizes, at(), sorted(map(seen_from, range(len(roles))), key=json.dumps)
+
 
 _NUMBER = re.compile(r"(?<![\w.])[-−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
 

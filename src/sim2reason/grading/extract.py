@@ -1,7 +1,4 @@
-r"""Where the answer stands: the content of the last complete ``\boxed{…}`` after the thinking.
-
-Every step looks at each character at most once and at a bounded window, so that no text takes long.
-"""
+"""Extraction of the answer from a response: removal of the thinking, and the last complete box after it."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -9,9 +6,83 @@ from typing import Final, cast
 
 from sim2reason.grading.hiding import fault_of_box
 from sim2reason.grading.score import Outcome, Refused
-from sim2reason.grading.thinking import OPENING, without_thinking
 
-__all__ = ["MAX_ANSWER", "boxed", "closed_boxes", "opened", "spoken", "text_of"]
+__all__ = ["MAX_ANSWER", "OPENING", "boxed", "closed_boxes", "opened", "spoken", "text_of", "without_thinking"]
+
+OPENING: Final = "<think>"
+MOST: Final = 20_000  # of the signs "<" that are looked at, so that no text takes long
+FEW: Final = 8  # marks that a text may speak of
+_WORDS: Final = "think|thinking|thoughts?|reason|reasoning|reflection|scratchpad|analysis"
+_TAG: Final = rf"(?:[a-z]{{1,12}}[:_])?(?:{_WORDS})\s{{0,8}}>"
+_CHANNEL: Final = r"<\|channel\|>\s{0,8}"
+_CLOSE: Final = (
+    rf"</{_TAG}|<\|end_of_thought\|>|<\|think_end\|>|<\|END_THINKING\|>|<unused95>|<\|inner_suffix\|>|<channel\|>"
+    rf"|{_CHANNEL}final[^<\n]{{0,40}}(?:<\|constrain\|>[^<\n]{{0,40}})?<\|message\|>"
+)
+_TOKEN: Final = (
+    r"<\|begin_of_thought\|>|<\|think_start\|>|<\|START_THINKING\|>|<unused94>|<\|inner_prefix\|>|<\|channel>thought"
+    rf"|{_CHANNEL}(?:analysis|commentary)"
+)
+_ANGLED: Final = re.compile(rf"(?P<close>{_CLOSE})|(?P<token>{_TOKEN})|<{_TAG}", re.IGNORECASE)
+_PLAIN: Final = (
+    ("[/THINK]", "[THINK]"),
+    ("◁/think▷", "◁think▷"),
+    ("[unused17]", "[unused16]"),
+    ("[BEGIN FINAL RESPONSE]", ""),
+    ("Here is my response:", ""),
+    ("Here's my response:", ""),
+    ("assistantfinal", ""),
+)
+_BEGINNING: Final = re.compile(
+    r"\s{0,8}(?:(?:assistant)?(?:analysis|commentary)(?=[^\s:,.;\-–—'’])"
+    r"|Here are my reasoning steps:|Here(?: is|'s) my thought process:)"
+)
+"""Matches the beginning of a response that starts with thinking: of gpt-oss without its tokens, Apriel, Granite 3.2."""
+
+
+def without_thinking(text: str) -> str:
+    """Return the text after the last closing mark of thinking.
+
+    Raises `Refused`: no answer where thinking is open at the end. A mark that is only quoted, within a line and with no
+    box after it, opens no thinking.
+    """
+    begins = _BEGINNING.match(text) is not None
+    if not begins and "<" not in text and not any(mark in text for pair in _PLAIN for mark in pair if mark):
+        return text
+    end, tags, tokens = _angled(text)
+    for close, opening in _PLAIN:
+        end = max(end, at + len(close) if (at := text.rfind(close, end)) >= 0 else 0)
+        if opening and (at := text.rfind(opening, end)) >= 0:
+            tags.append(at)
+    late = [at for at in tags if at >= end]
+    if any(at >= end for at in tokens) or (begins and not end) or (late and not _spoken_of(text, end, late)):
+        raise Refused(Outcome.NO_ANSWER, "the thinking never ends")
+    return text[end:]
+
+
+def _angled(text: str) -> tuple[int, list[int], list[int]]:
+    """Return the end of the last closing mark with "<", or 0, and the places of opening tags and tokens after it."""
+    tags, tokens = list[int](), list[int]()
+    at = len(text)
+    for _ in range(MOST):
+        at = text.rfind("<", 0, at)
+        if at < 0:
+            return 0, tags, tokens
+        mark = _ANGLED.match(text, at)
+        if mark is None:
+            continue
+        if mark["close"]:
+            return mark.end(), tags, tokens
+        (tokens if mark["token"] else tags).append(at)
+    raise Refused(Outcome.TOO_LONG, f"the response has more than {MOST} signs <")
+
+
+def _spoken_of(text: str, end: int, marks: list[int]) -> bool:
+    """Return whether all opening marks are only quoted: each within a line of text, with no box after the first."""
+    first = min(marks)
+    within = all(text[max(text.rfind("\n", end, at) + 1, end) : at].strip() for at in marks[:FEW])
+    return within and len(marks) <= FEW and r"\boxed" not in text[first:]
+
 
 MAX_RESPONSE: Final = 1_000_000
 MAX_ANSWER: Final = 1_000

@@ -14,10 +14,9 @@ from sim2reason.base.registry import Registry
 from sim2reason.questions.given import StatedResult
 from sim2reason.questions.kinds import KINDS, Kind
 from sim2reason.questions.moments import MOMENTS, Moment
-from sim2reason.questions.query import Query
+from sim2reason.questions.query import Noun, Query, Target
 from sim2reason.questions.regimes import Regime
 from sim2reason.questions.study import Study
-from sim2reason.questions.targets import Noun, Target
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.text.prose.description import Description

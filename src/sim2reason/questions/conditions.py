@@ -1,13 +1,220 @@
-"""Sentences that give a result and ask for a number that the text leaves unknown."""
+"""Conditions that state a result and leave a number unknown, and the uniqueness of that number."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from math import isfinite
 
+from sim2reason.questions.dependence import Dependence, towards_border
 from sim2reason.questions.given import StatedResult
 from sim2reason.questions.kinds import KINDS
-from sim2reason.questions.query import Query
-from sim2reason.questions.targets import Noun
+from sim2reason.questions.query import Noun, Query
 from sim2reason.questions.unknown import Unknown
 from sim2reason.questions.words import Words
+
+STRIDES = (16, 4)  # of the scan: first some points far apart, which most often tell
+SMOOTH = 0.1  # of the least distance from what is given: by how much a cubic may miss the answer where it is smooth
+NEAR = 0.01  # relative: what is closer to the root is not told from it
+DIP = 3  # guesses for the bottom of a dip
+SHALLOW = 0.3  # of a dip: one whose bottom is guessed to be no lower is not looked into,
+NEARLY = 10.0  # margins: unless it is as low as this already; then halving finds the tip of a kink
+KINK = 10  # halvings
+EDGE = 0.01  # relative: where there is no answer this close to the root, who looks for it may pass it by
+BEHIND = 3.0  # steps of the scan: how far behind an end of the range another root is foreseen
+UNEVEN = 0.3  # of the least distance from what is given: by how much a line may miss the answer where it runs evenly
+FINER = 3  # times that more numbers are tried where it does not
+CLOSER = 5  # halvings between numbers for which different things happen
+
+
+class Scan:
+    """Looks for another root. Below one root answers must lie on one side of what is given, above it on the other."""
+
+    def __init__(
+        self, dependence: Dependence, root: float, given: float, margin: float, coarse: Dependence | None = None
+    ) -> None:
+        """`margin` is by how much an answer must differ from what is given to be told from it.
+
+        Where it differs by far, that of a `coarse` dependence, which costs less, is enough.
+        """
+        rate = dependence.rate(root)
+        self._dependence, self._coarse, self._root, self._given = dependence, coarse or dependence, root, given
+        self._scale = margin if rate is not None and rate > 0.0 else -margin
+        self._known: dict[float, float | None] = {}
+
+    def another(self, values: Sequence[float]) -> float | None:
+        """A number at which the answer could be what is given, or for which it is on the wrong side; None if none is.
+
+        One that has its answer later than its motion is followed, if it has any, could be, too.
+        Looked for at all `values`, towards the borders of where there is an answer, at the bottom of each dip, and
+        between values over which the answer swings.
+        """
+        return next((at for at in self._tried(values) if self._could_be(at)), None)
+
+    def edge(self, values: Sequence[float]) -> float | None:
+        """A number beside the root, within the range of `values`, where there is no answer; None if there is none."""
+        beside = sorted(self._root + side * EDGE * abs(self._root) for side in (-1.0, 1.0))
+        return next((at for at in beside if values[0] <= at <= values[-1] and self._coarse(at) is None), None)
+
+    def far(self, values: Sequence[float]) -> float | None:
+        """Return one of some numbers far away whose answer is not clear of what is given; None if none is.
+
+        Nothing is looked for between them, nor is it waited for: beyond another root answers are on the wrong side.
+        """
+        clear = ((at, self._clear(at)) for at in values)
+        return next((at for at, by in clear if by is not None and by <= 1.0), None)
+
+    def end(self, values: Sequence[float]) -> float | None:
+        """An end of the range of `values` where answers come back so fast that there may be another root behind it.
+
+        Where a range ends no text says, and who looks a little farther finds that root, too.
+        """
+        for last, before in ((values[0], values[1]), (values[-1], values[-2])):
+            here, inside = self._clear(last), self._clear(before)
+            if here is not None and inside is not None and isfinite(inside) and here <= BEHIND * (inside - here):
+                return last
+        return None
+
+    def _tried(self, values: Sequence[float]) -> Iterator[float]:
+        for stride in STRIDES:
+            yield from filter(self._is_apart, values[stride // 2 :: stride])
+        yield from filter(self._is_apart, self._between(values))
+        yield from self._borders()
+        yield from filter(self._is_apart, self._turning_points())
+        yield from self._dips()
+        yield from filter(self._is_apart, self._swings())
+
+    def _between(self, values: Sequence[float]) -> Iterator[float]:
+        """Yield the values that are left, but for those where the answer is seen to run smoothly between known ones."""
+        stride = STRIDES[-1]
+        first = stride // 2
+        last = len(values) - 1 - (len(values) - 1 - first) % stride
+        yield from (*values[:first], *values[last + 1 :])
+        for low in range(first, last, stride):
+            yield values[low + stride // 2]
+            if not self._is_smooth(values, low):
+                yield from (values[at] for at in range(low + 1, low + stride) if at != low + stride // 2)
+
+    def _is_smooth(self, values: Sequence[float], low: int) -> bool:
+        """Whether the answer rises or falls to the next known value but one, and as a cubic through them says."""
+        stride = STRIDES[-1]
+        ends = [values[at] for at in (low, low + stride)]
+        middle = values[low + stride // 2]
+        if ends[0] <= self._root <= ends[1] or any(self._differ(middle, end) for end in ends):
+            return False
+        a, b, c = (self._known.get(at) for at in (ends[0], middle, ends[1]))
+        if a is None or b is None or c is None or not min(a, c) < b < max(a, c) or not isfinite(max(a, c)):
+            return False
+        before, after = (
+            self._beside(values, at, end) for at, end in ((low - stride, ends[0]), (low + 2 * stride, ends[1]))
+        )
+        if before is not None and after is not None:
+            guess = (9.0 * (a + c) - before - after) / 16.0
+        elif before is not None or after is not None:
+            near, far, beyond = (c, a, before) if before is not None else (a, c, after)
+            assert beyond is not None
+            guess = (3.0 * near + 6.0 * far - beyond) / 8.0
+        else:
+            return False
+        return abs(b - guess) <= SMOOTH * min(a, c)
+
+    def _beside(self, values: Sequence[float], index: int, end: float) -> float | None:
+        """What is known farther out, on the same side of the root; None if nothing is, or something else happens."""
+        if not 0 <= index < len(values) or (values[index] < self._root) != (end < self._root):
+            return None
+        found = self._known.get(values[index])
+        return None if found is None or not isfinite(found) or self._differ(values[index], end) else found
+
+    def _is_apart(self, at: float) -> bool:
+        return abs(at - self._root) > NEAR * abs(self._root)
+
+    def _could_be(self, at: float) -> bool:
+        clear = self._clear(at)
+        return self._coarse.is_late(at) if clear is None else clear <= 1.0
+
+    def _clear(self, at: float) -> float | None:
+        """By how many margins the answer is beyond what is given, on the side where it must be; None without answer."""
+        if at not in self._known:
+            clear = self._beyond(at, self._coarse(at))
+            self._known[at] = clear if clear is None or clear > NEARLY else self._beyond(at, self._dependence(at))
+        return self._known[at]
+
+    def _beyond(self, at: float, found: float | None) -> float | None:
+        side = 1.0 if at > self._root else -1.0
+        return None if found is None else side * (found - self._given) / self._scale
+
+    def _borders(self) -> Iterator[float]:
+        """Numbers ever closer to where there ceases to be an answer."""
+        for one, other in pairwise(sorted({*self._known, self._root})):
+            yield from towards_border(self._coarse, one, other)
+
+    def _turning_points(self) -> Iterator[float]:
+        """Numbers between neighbours for which different things happen: the answer may be anything in between.
+
+        Where there is none halfway, those towards the borders of where there is one.
+        """
+        pairs = list(pairwise(sorted({*self._known, self._root})))
+        for _ in range(CLOSER):
+            apart = [pair for pair in pairs if self._differ(*pair)]
+            middles = [0.5 * (low + high) for low, high in apart]
+            yield from middles
+            for (low, high), at in zip(apart, middles, strict=True):
+                if self._coarse(at) is None:
+                    yield from (*towards_border(self._coarse, low, at), *towards_border(self._coarse, at, high))
+            pairs = [half for (low, high), at in zip(apart, middles, strict=True) for half in ((low, at), (at, high))]
+
+    def _differ(self, one: float, other: float) -> bool:
+        """Return whether different things happen for two numbers."""
+        courses = [self._coarse.course(at) for at in (one, other)]
+        return None not in courses and courses[0] != courses[1]
+
+    def _dips(self) -> Iterator[float]:
+        """Guesses for where the answer comes closest to what is given between three neighbours, the middle lowest."""
+        for side in (-1.0, 1.0):
+            beyond = sorted(at for at in self._known if (at - self._root) * side > 0.0)
+            for index in range(1, len(beyond) - 1):
+                yield from self._bottom(beyond[index - 1], beyond[index], beyond[index + 1])
+
+    def _bottom(self, low: float, middle: float, high: float) -> Iterator[float]:
+        for guess in range(DIP + KINK):
+            a, b, c = (self._clear(at) for at in (low, middle, high))
+            if a is None or b is None or c is None or not (isfinite(a) and isfinite(c) and b < a and b <= c):
+                return
+            bottom, depth = _lowest((low, a), (middle, b), (high, c))
+            if guess >= DIP or depth > SHALLOW * b or bottom in self._known:
+                if b > NEARLY:
+                    return
+                bottom = 0.5 * (middle + max(low, high, key=lambda end: abs(end - middle)))
+            yield bottom
+            lower = self._clear(bottom)
+            if lower is None:
+                return
+            if lower < b:
+                low, middle, high = (low, bottom, middle) if bottom < middle else (middle, bottom, high)
+            else:
+                low, high = (bottom, high) if bottom < middle else (low, bottom)
+
+    def _swings(self) -> Iterator[float]:
+        """Numbers halfway between neighbours beside which the answer runs unevenly: it may go to and fro in between."""
+        for _ in range(FINER):
+            known = [(at, clear) for at, clear in sorted(self._known.items()) if clear is not None and isfinite(clear)]
+            uneven = (each for each in zip(known, known[1:], known[2:], strict=False) if _is_uneven(*each))
+            finer = {0.5 * (one[0] + other[0]) for each in uneven for one, other in pairwise(each)}
+            yield from sorted(finer)
+
+
+def _is_uneven(low: tuple[float, float], middle: tuple[float, float], high: tuple[float, float]) -> bool:
+    """Return whether a line from the outer ones of three points (x, y) misses the middle one by far."""
+    share = (middle[0] - low[0]) / (high[0] - low[0])
+    line = (1.0 - share) * low[1] + share * high[1]
+    return abs(middle[1] - line) > UNEVEN * min(low[1], middle[1], high[1])
+
+
+def _lowest(*points: tuple[float, float]) -> tuple[float, float]:
+    """Return where the parabola through three points (x, y), the middle one lowest, is lowest, and how low."""
+    (low, a), (middle, b), (high, c) = points
+    left, right = (middle - low) * (b - c), (middle - high) * (b - a)
+    bottom = middle - 0.5 * ((middle - low) * left - (middle - high) * right) / (left - right)
+    bend = ((a - b) / (middle - low) + (c - b) / (high - middle)) / (high - low)
+    return bottom, b - bend * (bottom - middle) ** 2
 
 
 def asking_for(unknown: Unknown, query: Query, given: StatedResult, words: Words, noun: Noun | None) -> tuple[str, ...]:

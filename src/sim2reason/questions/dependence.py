@@ -9,15 +9,12 @@ from math import inf, isfinite
 import numpy as np
 
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
-from sim2reason.questions.course import ways
-from sim2reason.questions.derived_numbers import with_number
 from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.never import flies_away
 from sim2reason.questions.query import Query
-from sim2reason.questions.recurrence import nothing_new
-from sim2reason.questions.study import BEYOND, COARSE, SHORTEST, Study
-from sim2reason.questions.unknown import LENGTHS
+from sim2reason.questions.recurrence import flies_away, nothing_new
+from sim2reason.questions.study import BEYOND, COARSE, SHORTEST, Study, ways
+from sim2reason.questions.unknown import LENGTHS, with_number
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, FINEST, Trace

@@ -11,9 +11,8 @@ from sim2reason.questions.dependence import roomy
 from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.kinds.parts.nested import NestedQuery, answered
 from sim2reason.questions.moments.times import WholeMotion
-from sim2reason.questions.never import why_never
 from sim2reason.questions.query import Query
-from sim2reason.questions.recurrence import nothing_new
+from sim2reason.questions.recurrence import nothing_new, why_never
 from sim2reason.questions.study import BEYOND, Study
 from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.scene import Scene

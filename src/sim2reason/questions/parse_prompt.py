@@ -14,9 +14,9 @@ from sim2reason.questions.ordinary.nearest import nearest_said
 from sim2reason.questions.ordinary.understanding import understood
 from sim2reason.questions.prompt import FORMATS, IN_RADIANS, PLAIN_FORMATS, SYMBOLIC, WHOLE
 from sim2reason.questions.shapes import Draft, shapes_to_try
-from sim2reason.questions.spoken import spoken_of
 from sim2reason.questions.spoken_units import in_si
 from sim2reason.questions.topics import depends_on_start
+from sim2reason.questions.words import spoken_of
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.units import parse_unit
 from sim2reason.text.parsing import NONE_GIVEN, ParsedScene, parse_scene

@@ -7,8 +7,7 @@ import numpy as np
 
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.bounces import GROUND
-from sim2reason.questions.query import Query
-from sim2reason.questions.targets import Noun, Target
+from sim2reason.questions.query import Noun, Query, Target
 from sim2reason.questions.words import Words
 
 QUOTA = {"what": 0.35, "find": 0.3, "how": 0.3, "determine": 0.12, "calculate": 0.08}

@@ -1,13 +1,12 @@
-"""The conversion of a structured question into a query, by the first kind of question that accepts the parts."""
+"""Conversion of a structured question into a query, and inversion of a query for a number."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
 from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
-from sim2reason.questions.derived_numbers import derived_numbers, number_at
+from sim2reason.questions.dependence import Dependence, roomy, roots
 from sim2reason.questions.following import Followed, FollowedMotion, follow, motion_of
-from sim2reason.questions.inversion import values_giving, why_not_one
 from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.kinds.comparison import compared
 from sim2reason.questions.kinds.limit import MASS, LimitQuery
@@ -16,15 +15,45 @@ from sim2reason.questions.kinds.parts.nested import stripped
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.parts.reached import stated
 from sim2reason.questions.phrasing import sentence
-from sim2reason.questions.query import Query
+from sim2reason.questions.query import Query, quantities_named, targets
 from sim2reason.questions.structured import StructuredQuestion, measured, one_of, resolved
-from sim2reason.questions.study import Study
-from sim2reason.questions.targets import quantities_named, targets
-from sim2reason.questions.unknown import Unknown
+from sim2reason.questions.study import ENOUGH, Study
+from sim2reason.questions.unknown import Unknown, beyond_range, derived_numbers, number_at, range_of
 from sim2reason.questions.variation import SceneChange, is_removal, variation, words_in
 from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.quantities import QUANTITIES
+
+PATIENCE = {False: tuple(4.0**n for n in range(2, 12)), True: (16.0, 64.0)}
+"""Times the horizon, till when results are waited for with no value found; fewer where motions are integrated."""
+SPARSE = 4  # every so many points of a range are tried with that patience
+
+
+def values_giving(query: Query, given: float, unknown: Unknown, study: Study) -> list[float]:
+    """Return the values of an unknown number that give a query's answer, from the usual range or else from beyond."""
+
+    def looked_for() -> list[float]:
+        scene, path = study.scene, unknown.path
+        dependence = Dependence(query, study, path, ENOUGH, roomy(scene))
+        found = roots(dependence, range_of(scene, path), given)
+        patient = Dependence(query, study, path, ENOUGH, roomy(scene), None, PATIENCE[bool(changing(study.mechanism))])
+        for values in () if found else (range_of(scene, path)[::SPARSE], *beyond_range(scene, path)):
+            found += roots(patient, values, given)
+        return found
+
+    return study.once(("values giving", query, given, unknown.path), looked_for)
+
+
+def why_not_one(unknown: Unknown, found: Sequence[float], scene: Scene) -> str:
+    """Return a clause explaining why an unknown number has no single value; empty if there is exactly one."""
+    if len(found) == 1:
+        return ""
+    if found:
+        return f"several values of {unknown.symbol} do: {', '.join(f'{value:.6g} {unknown.unit}' for value in found)}"
+    ends = [end for values in (range_of(scene, unknown.path), *beyond_range(scene, unknown.path)) for end in values]
+    return f"no value of {unknown.symbol} from {min(ends):.3g} to {max(ends):.3g} {unknown.unit} does"
+
 
 EXTREMES = GREATEST, LEAST = "greatest", "least"
 LIMITS = {"infinity": True, "∞": True, "0": False, "zero": False}

@@ -1,9 +1,212 @@
-"""What is asked, without words."""
+"""Queries without words, and the targets that a scene offers."""
 
-from dataclasses import dataclass
+import re
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import lru_cache
+from itertools import groupby
 
+import numpy as np
+
+from sim2reason.errors import TextError
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.targets import Target
+from sim2reason.questions.structured import StructuredQuestion, resolved, sense_named
+from sim2reason.questions.words import Words
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.vectors import Vector
+from sim2reason.simulation.quantities import QUANTITIES, Quantity, ordered
+from sim2reason.simulation.quantities.subjects import Sense
+from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies
+from sim2reason.simulation.quantities.subjects.paths import center_path, turning_axes
+
+OWN_PATH, OWN_AXLE = "its path", "its axle"
+"""Directions that the text need not name: of the line along which a body moves, of the axle about which it turns."""
+_SIZE = re.compile(r"the (?:magnitude of the )?([a-z ]+) (?:of|in) \{")  # as in: the speed of {body}
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """A quantity of a subject: a magnitude, or the component along a sense."""
+
+    quantity: str
+    subject: str
+    sense: Sense | None = None
+    share: float = field(default=1.0, compare=False)  # how often it is drawn, compared with others of its quantity
+
+    @property
+    def unit(self) -> str:
+        """The unit of the answer."""
+        return QUANTITIES[self.quantity].unit
+
+    @property
+    def signed(self) -> bool:
+        """Return whether a minus sign can be right."""
+        return self.sense is not None
+
+    def value(self, state: State) -> float:
+        """Return the value at the first instant of a state."""
+        return float(self.values(state)[0])
+
+    def values(self, state: State) -> Array:
+        """Return the values at all instants of a state, (n,)."""
+        found = QUANTITIES[self.quantity].evaluate(state, self.subject)
+        if found.ndim == 1:
+            return found if self.signed else np.abs(found)
+        return np.linalg.norm(found, axis=1) if self.sense is None else found @ np.array(self.way(state.mechanism))
+
+    def way(self, mechanism: Mechanism) -> Vector:
+        """Along which the component is taken: the sense of that name in this mechanism, whose slope may be another."""
+        assert self.sense is not None
+        quantity = QUANTITIES[self.quantity]
+        if quantity.sense is not None:
+            return self.sense.vector
+        named = (self.sense.positive, self.sense.axis)
+        here = quantity.of.senses(mechanism, self.subject)
+        return next((sense.vector for sense in here if (sense.positive, sense.axis) == named), self.sense.vector)
+
+
+@dataclass(frozen=True, slots=True)
+class Noun:
+    """The words for a target: a noun phrase, and where there are any a question, a clause and a statement of its own.
+
+    `how` keeps its placeholder ``{when}``, and `states` keeps ``{value}``; what is `timeless` is asked without a
+    moment, and what is called something `over` a stretch is asked from the start to the moment.
+    """
+
+    phrase: str
+    how: str = ""
+    indirect: str = ""
+    timeless: bool = False
+    over: str = ""
+    states: str = ""
+
+    def heard(self, text: str) -> bool:
+        """Return whether a sentence can ask for it."""
+        if self.phrase in text or any(words and words in text for words in (self.indirect, self.over)):
+            return True
+        subject, _, rest = self.states.partition("{value}")
+        if subject and subject in text and rest in text:
+            return True
+        return self.how != "" and self.how.partition("{when}")[0].lower() in text.lower()
+
+
+Targets = Mapping[Target, Noun]
+
+
+@lru_cache(maxsize=4)
+def quantities_named(mechanism: Mechanism) -> Mapping[str, Quantity]:
+    """Return the quantities that a mechanism has, by name and by the phrase for their magnitude, such as *speed*."""
+    here = {name: quantity for name, quantity in QUANTITIES.items() if quantity.subjects(mechanism)}
+    called = {found[1]: quantity for quantity in here.values() if (found := _SIZE.match(quantity.magnitude))}
+    return called | here
+
+
+def target_named(asked: StructuredQuestion, words: Words) -> Target:
+    """Return the quantity, the subject and the direction that a structured question asks for.
+
+    TextError for a quantity, a subject or a direction that the scene does not have.
+    """
+    mechanism = words.mechanism
+    quantity = quantities_named(mechanism)[asked.find]
+    called = words.called(quantity.of)
+    names = {name: called.get(name, name) for name in quantity.subjects(mechanism)}
+    told = {name: said for name, said in names.items() if name in called}
+    name = resolved("of", asked.of, names if asked.of or len(told) != 1 else told)
+    if not _told(quantity, name, words):
+        needed = ", ".join(quantity.needs)
+        raise TextError(
+            "find", f"the text does not give the {needed} that {quantity.name} needs", "ask for another one"
+        )
+    if quantity.sense is not None or not asked.along:
+        return Target(quantity.name, name, quantity.sense)
+    senses = quantity.of.senses(mechanism, name)
+    if asked.along in (OWN_PATH, OWN_AXLE):
+        senses = _own_line(asked.along, quantity, mechanism, name)
+    if not (quantity.vector or quantity.along) or not senses:
+        raise TextError("along", f"{quantity.name} has no components here", "leave it out")
+    return Target(quantity.name, name, sense_named("along", asked.along, senses))
+
+
+def _own_line(along: str, quantity: Quantity, mechanism: Mechanism, name: str) -> list[Sense]:
+    """Return the direction of the only line along which a body moves, or about which it turns; none if it has none."""
+    if along == OWN_AXLE and quantity.of.name == TurningBodies.name:
+        axes = turning_axes(mechanism, name)
+        return [Sense(OWN_AXLE, axes[0][1])] if len(axes) == 1 else []
+    path = center_path(mechanism, name) if along == OWN_PATH and quantity.of.name == Bodies.name else None
+    return [Sense(OWN_PATH, path.ways[0])] if path is not None and path.straight and len(path.ways) == 1 else []
+
+
+@lru_cache(maxsize=4)
+def targets(words: Words) -> Targets:
+    """Everything that can be asked about, with its words; what they would not tell apart is left out."""
+    offered = list(_phrased(words))
+    count = Counter(noun.phrase for _, noun in offered)
+    return {target: noun for target, noun in offered if count[noun.phrase] == 1}
+
+
+def _phrased(words: Words) -> Iterator[tuple[Target, Noun]]:
+    for subject, members in groupby(ordered(), key=lambda quantity: quantity.of):
+        quantities = [quantity for quantity in members if quantity.magnitude or quantity.signed]
+        for name in words.called(subject):
+            yield from _of_subject(
+                [quantity for quantity in quantities if _askable(quantity, name, words)], name, words
+            )
+
+
+def _askable(quantity: Quantity, name: str, words: Words) -> bool:
+    """Return whether a subject has a quantity, and the text gives all that this needs."""
+    return quantity.present(words.mechanism, name) and _told(quantity, name, words)
+
+
+def _told(quantity: Quantity, name: str, words: Words) -> bool:
+    return all(quantity.of.gives(need, words.mechanism, name, words.said) for need in quantity.needs)
+
+
+def _of_subject(asked: list[Quantity], name: str, words: Words) -> Iterator[tuple[Target, Noun]]:
+    """Magnitudes, then components along the axes of the text, then what has a sense of its own.
+
+    Where the question would have to say which way is positive, it would tell the way: the size is asked for, if there
+    are words for it.
+    """
+    if not asked:
+        return
+    filler = _Filler(name, words)
+    for quantity in asked:
+        if quantity.magnitude:
+            templates = quantity.size_phrases(words.mechanism, name)
+            size, how, indirect, states = (filler.of(quantity, said) for said in templates)
+            noun = Noun(size, how, indirect, quantity.timeless, filler.of(quantity, quantity.over), states)
+            yield Target(quantity.name, name, share=quantity.share(None, words.mechanism, name)), noun
+    signed = [quantity for quantity in asked if quantity.signed]
+    senses = signed[0].of.senses(words.mechanism, name) if signed else []
+    along = [(sense, q) for sense in senses for q in signed if q.sense is None and (sense.fixed or not q.magnitude)]
+    own = [(quantity.sense, quantity) for quantity in signed if quantity.sense is not None]
+    for sense, quantity in [*along, *own]:
+        component = f"{sense.axis} component of the " if sense.axis else ""
+        how = "" if quantity.magnitude else filler.of(quantity, quantity.how)
+        template = quantity.signed_along(sense, words.mechanism, name)
+        share = quantity.share(sense, words.mechanism, name)
+        yield Target(quantity.name, name, sense, share), Noun(filler.of(quantity, template, component), how)
+
+
+class _Filler:
+    """Fills the templates of quantities of one subject."""
+
+    def __init__(self, name: str, words: Words) -> None:
+        self._name, self._words = name, words
+
+    def of(self, quantity: Quantity, template: str, component: str = "") -> str:
+        """Return a template with all but the moment filled in."""
+        if not template:
+            return ""
+        subject, words = quantity.of, self._words
+        phrase = words.called(subject)[self._name]
+        if quantity.center:
+            phrase = subject.point(words.mechanism, self._name, phrase)
+        fills = words.fills(subject, self._name)
+        return template.format(**{subject.slot: phrase}, **fills, component=component, when="{when}", value="{value}")
 
 
 @dataclass(frozen=True, slots=True)

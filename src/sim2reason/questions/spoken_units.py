@@ -11,7 +11,7 @@ from decimal import Decimal
 from functools import cache, lru_cache
 
 from sim2reason.errors import UnknownNameError
-from sim2reason.questions.spoken import KILO, LONG, METRE
+from sim2reason.questions.words import KILO, LONG, METRE
 from sim2reason.scenes.dsl.measures import show_unit
 from sim2reason.scenes.dsl.unit_text import factors
 from sim2reason.scenes.dsl.units import MINUTE, UnitError, coherent, parse_unit

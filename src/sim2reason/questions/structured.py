@@ -9,8 +9,7 @@ from sim2reason.base.registry import nearest
 from sim2reason.errors import TextError
 from sim2reason.questions.moments import MOMENTS, Happening, Moment
 from sim2reason.questions.moments.parts.just_before import JustBefore
-from sim2reason.questions.spoken import DIGITS, ORDINALS
-from sim2reason.questions.words import Words
+from sim2reason.questions.words import DIGITS, ORDINALS, Words
 from sim2reason.scenes.dsl.units import UnitError, parse_unit
 from sim2reason.simulation.quantities.subjects import Sense
 

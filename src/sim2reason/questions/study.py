@@ -1,4 +1,4 @@
-"""A scene under study: its recorded motion, and those of scenes like it."""
+"""Recorded motion of a scene and of scenes like it, and the directions of motion."""
 
 from collections.abc import Callable, Hashable, Mapping
 from typing import Protocol, Self
@@ -143,3 +143,20 @@ def _made(made: Made, until: float, error: float) -> Study | None:
     if not mechanism.coordinates:
         return None
     return Study(scene, ENGINES[RECORDED](mechanism, np.array([0.0, until]), error), change)
+
+
+TURNING = 1e-6  # of the mean speed: what is slower turns
+STILL = 1e-9  # of the largest: a coordinate that has changed by less, or begins to, has not
+
+
+def ways(study: Study, time: float) -> tuple[float, ...]:
+    """Return which way each coordinate has changed by a time, or begins to, and whether it turns then.
+
+    In between, a magnitude passes through zero, or a pendulum that turns becomes one that goes over the top, and
+    between them takes for ever.
+    """
+    start, end = study.trace.at(0.0), study.trace.at(time)
+    changes = end.q[0] - start.q[0] if time else start.a[0]
+    largest = np.abs(changes).max()
+    turns = np.abs(end.v[0]) * time <= TURNING * largest if time else np.zeros(len(changes), dtype=bool)
+    return (*np.sign(np.where(np.abs(changes) > STILL * largest, changes, 0.0)).tolist(), *turns.tolist())

@@ -7,10 +7,9 @@ from typing import NamedTuple
 import numpy as np
 
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
-from sim2reason.questions.derived_numbers import with_number
 from sim2reason.questions.outcomes import PossibleOutcome
 from sim2reason.questions.study import COARSE, ENOUGH, Study
-from sim2reason.questions.unknown import range_of, usual_range
+from sim2reason.questions.unknown import range_of, usual_range, with_number
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, FINEST
 

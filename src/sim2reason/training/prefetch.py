@@ -7,8 +7,7 @@ from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 
-from sim2reason.datasets.end_with_parent import end_with_parent
-from sim2reason.datasets.processes import ALONE
+from sim2reason.datasets.processes import ALONE, end_with_parent
 from sim2reason.training.problem import Problem
 from sim2reason.training.sources import ProblemSource
 

@@ -13,8 +13,7 @@ from contextlib import closing
 from multiprocessing.connection import wait
 from typing import TypeAlias, TypeVar
 
-from sim2reason.datasets.end_with_parent import end_with_parent
-from sim2reason.datasets.processes import ALONE
+from sim2reason.datasets.processes import ALONE, end_with_parent
 from sim2reason.errors import Sim2ReasonError, TrainingError
 from sim2reason.training.extras import External, library
 

@@ -226,7 +226,7 @@ def test_a_server_installs_the_library_from_where_it_came(
             assert name == "direct_url.json"
             return origin
 
-    monkeypatch.setattr("sim2reason.datasets.exports.parts.origin.distribution", lambda _: Installed())
+    monkeypatch.setattr("sim2reason.datasets.exports.parts.export.distribution", lambda _: Installed())
     export(problems, tmp_path / "out", to="nemo-gym")
     server = tmp_path / "out/resources_servers/sim2reason"
     assert (server / "requirements.txt").read_text() == f"nemo-gym\n{line}\n"

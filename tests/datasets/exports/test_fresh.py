@@ -10,8 +10,7 @@ import pytest
 import sim2reason
 from sim2reason.datasets.exports import EXPORTS, Place
 from sim2reason.errors import DatasetError, DrawError, MissingExtraError, UnknownNameError
-from sim2reason.generation.made import load_maker
-from sim2reason.generation.request import Request
+from sim2reason.generation.request import Request, load_maker
 
 FAKE: dict[str, Any] = {"recipe": ("pulley", "springs"), "difficulty": "easy", "maker": "fake_makers:with_answers"}
 

@@ -12,7 +12,7 @@ from sim2reason import rewards
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.exports import EXPORTS, Place
 from sim2reason.generation.item import Answer, Distractor, Item
-from sim2reason.generation.options import APART, FEWEST, options_of, values
+from sim2reason.generation.options import FEWEST, OPTION_RTOL, options_of, values
 from sim2reason.grading import number
 from sim2reason.questions.choice_prompts import LETTERS, ChoicePrompt, said
 
@@ -74,7 +74,7 @@ def test_options_are_apart_and_only_the_right_one_passes(
     rewarded = [number(rf"\boxed{{{text}}}", value, "N").reward for text in told]
     assert rewarded == [float(slip is None) for slip in told.values()]
     numbers = sorted(map(value_of, told))
-    assert all(abs(a - b) > APART * max(abs(a), abs(b)) for a, b in pairwise(numbers))
+    assert all(abs(a - b) > OPTION_RTOL * max(abs(a), abs(b)) for a, b in pairwise(numbers))
 
 
 @given(st.lists(NUMBERS, min_size=1, max_size=5))

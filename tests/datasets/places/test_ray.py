@@ -15,7 +15,7 @@ from sim2reason.datasets.build import build
 from sim2reason.datasets.manifest import Manifest, refused
 from sim2reason.datasets.plan import Config
 from sim2reason.errors import DatasetError
-from sim2reason.generation.made import versions
+from sim2reason.generation.request import versions
 
 pytest.importorskip("ray", reason="Ray is not installed; make test-ray runs these tests in an environment that has it")
 SUPPORT = Path(__file__).parents[2] / "support"

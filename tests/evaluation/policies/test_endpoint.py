@@ -12,7 +12,7 @@ from faulty_endpoint import FAULTS, KEY, Said, answer, serving
 from sim2reason.errors import PolicyError
 from sim2reason.evaluation.policies import Completion, SampleRequest, policy_from
 from sim2reason.evaluation.policies.endpoint import Endpoint
-from sim2reason.evaluation.policies.parts.retries import delay
+from sim2reason.evaluation.policies.parts.http import delay
 from sim2reason.evaluation.policies.samples import NoAnswerError
 
 REQUEST = SampleRequest("a", 0, "How fast?", 5)

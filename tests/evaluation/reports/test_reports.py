@@ -11,8 +11,7 @@ from sim2reason.errors import EvaluationError
 from sim2reason.evaluation.benchmarks import benchmark_from
 from sim2reason.evaluation.benchmarks.runs.config import Evaluation
 from sim2reason.evaluation.benchmarks.runs.folder import RunFolder
-from sim2reason.evaluation.reports.comparison import compare
-from sim2reason.evaluation.reports.correlation import correlate
+from sim2reason.evaluation.reports.comparison import compare, correlate
 from sim2reason.evaluation.reports.evaluation import evaluate
 from sim2reason.evaluation.reports.results import wilson
 from told_policy import Told

@@ -11,7 +11,7 @@ from sim2reason.generation.filters.parts.products import product_of
 from sim2reason.generation.filters.parts.sums import sum_of
 from sim2reason.questions import KINDS, Moment, Query, Question, StatedResult, Study, Target
 from sim2reason.questions.moments.distances import Moved
-from sim2reason.questions.moments.springs import NaturalLength
+from sim2reason.questions.moments.strings import NaturalLength
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import LowestPoint, Stopped
 from sim2reason.questions.parse_prompt import parse_prompt

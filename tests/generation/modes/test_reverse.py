@@ -15,17 +15,16 @@ from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.recipes import RECIPES
 from sim2reason.generation.request import Request
 from sim2reason.questions import KINDS, MODES, Query, Question, StatedResult, Study, Target, Words
-from sim2reason.questions.conditions import asking_for
+from sim2reason.questions.conditions import Scan, asking_for
 from sim2reason.questions.dependence import Dependence, roots
 from sim2reason.questions.moments.bounces import Landed
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.need import NEEDS
-from sim2reason.questions.only_root import Scan
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of
-from sim2reason.questions.targets import targets
+from sim2reason.questions.query import targets
 from sim2reason.questions.unknown import range_of
 from sim2reason.scenes.bodies.pendulums import Ball
 from sim2reason.scenes.dsl.entity import Named

@@ -50,7 +50,7 @@ from sim2reason.scenes.entities.spring_chains import SpringMassChain
 from sim2reason.scenes.files import loads
 from sim2reason.simulation.quantities.subjects.rods import SwingingLines
 from sim2reason.solutions.algebra.expressions import Symbol
-from sim2reason.text.prose.formula_numbers import counted_in, said_in
+from sim2reason.text.prose.symbol_names import counted_in, said_in
 
 SYMBOLIC = MODES["symbolic"]
 BLOCK = "ramp.blocks.0"

@@ -28,7 +28,7 @@ from sim2reason.scenes.entities.pendulums import Pendulum, RotationEntity
 from sim2reason.scenes.entities.slopes import TwoSideMassPlane
 from sim2reason.simulation.scenes import simulate
 from sim2reason.solutions import Setting, solve
-from sim2reason.text.prose.formula_numbers import said_in
+from sim2reason.text.prose.symbol_names import said_in
 
 SYMBOLIC = MODES["symbolic"]
 

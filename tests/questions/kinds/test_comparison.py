@@ -19,7 +19,7 @@ from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of
-from sim2reason.questions.targets import targets
+from sim2reason.questions.query import targets
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.certify import witnessed
 from sim2reason.simulation.scenes import simulate

@@ -18,7 +18,7 @@ from sim2reason.questions.kinds.equilibrium import EquilibriumQuery
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of
-from sim2reason.questions.targets import targets
+from sim2reason.questions.query import targets
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.measures import Count
 from sim2reason.scenes.dsl.mechanism import GRAVITY, Mechanism, X, Z

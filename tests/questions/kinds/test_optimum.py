@@ -19,7 +19,7 @@ from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.questions.phrasing import sentence
 from sim2reason.questions.prompt import words_of
-from sim2reason.questions.targets import targets
+from sim2reason.questions.query import targets
 from sim2reason.scenes.bodies.pendulums import Ball
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene

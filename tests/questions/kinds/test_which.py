@@ -23,8 +23,8 @@ from sim2reason.questions.kinds.parts.which import CLEARLY, WhichKind, WhichQuer
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.posing import posed
 from sim2reason.questions.prompt import words_of
+from sim2reason.questions.query import targets
 from sim2reason.questions.structured import StructuredQuestion
-from sim2reason.questions.targets import targets
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.text.prose.description import describe
 

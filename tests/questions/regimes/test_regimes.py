@@ -16,7 +16,7 @@ from sim2reason.questions.regimes import regimes
 from sim2reason.questions.regimes.contacts import CollideInTurn, SlidesThroughout
 from sim2reason.questions.regimes.directions import StartsAcute
 from sim2reason.questions.regimes.rockets import BurntOut
-from sim2reason.questions.spoken import OwnSymbol
+from sim2reason.questions.words import OwnSymbol
 from sim2reason.scenes.bodies.planes import Incline, Plane, Track
 from sim2reason.scenes.bodies.round_bodies import Hoop
 from sim2reason.scenes.bodies.sliders import Block, Glider

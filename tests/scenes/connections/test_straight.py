@@ -8,9 +8,9 @@ from sim2reason import certify, describe, parse_scene
 from sim2reason.generation.recipes.parts.open_ports import OpenPort
 from sim2reason.scenes.bodies.planes import Plane
 from sim2reason.scenes.bodies.sliders import Slab
+from sim2reason.scenes.connections.joints import Rod
 from sim2reason.scenes.connections.parts.straight import Straight
 from sim2reason.scenes.connections.parts.two_ended import TwoEnded
-from sim2reason.scenes.connections.rod import Rod
 from sim2reason.scenes.connections.spring import SpringConnection
 from sim2reason.scenes.connections.string import String
 from sim2reason.scenes.dsl.connection import Connection

@@ -8,7 +8,7 @@ from lone_entities import drawn
 from sim2reason.errors import TextError
 from sim2reason.scenes.files import dump, load
 from sim2reason.simulation.scenes import certify
-from sim2reason.testing.checks.masking import spare
+from sim2reason.testing.checks.texts import spare
 from sim2reason.text.parsing import parse_scene
 from sim2reason.text.prose import describe
 

@@ -19,8 +19,7 @@ from sim2reason.scenes.bodies.holed_bodies import HollowSphereWithHole, SphereWi
 from sim2reason.scenes.bodies.pendulums import Bar, FixedBall, UniformRod
 from sim2reason.scenes.bodies.polygonal_prism import PolygonalPrism
 from sim2reason.scenes.bodies.round_bodies import Cylinder, Disc, Sphere
-from sim2reason.scenes.connections.pivot import Pivot
-from sim2reason.scenes.connections.weld import Weld
+from sim2reason.scenes.connections.joints import Pivot, Weld
 from sim2reason.scenes.dsl.connection import Link
 from sim2reason.scenes.dsl.entity import Named
 from sim2reason.scenes.dsl.scene import Scene

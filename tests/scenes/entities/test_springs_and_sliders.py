@@ -13,7 +13,7 @@ from sim2reason.scenes.bodies.planes import Plane
 from sim2reason.scenes.bodies.pulleys import FixedPulley
 from sim2reason.scenes.bodies.sliders import Block, Carriage
 from sim2reason.scenes.bodies.spring import Spring
-from sim2reason.scenes.connections.weld import Weld
+from sim2reason.scenes.connections.joints import Weld
 from sim2reason.scenes.dsl.connection import Link
 from sim2reason.scenes.entities.parts.mass_systems import Hanging
 from sim2reason.scenes.entities.pendulums import LightRodPendulum, SliderMass

@@ -6,7 +6,7 @@ import pytest
 
 from plain_scenes import ramp, row, squeezed
 from sim2reason.questions import Formula, Query, Target
-from sim2reason.questions.moments.springs import MostCompressed, MostStretched
+from sim2reason.questions.moments.strings import MostCompressed, MostStretched
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.simulation.quantities.subjects.pairs import AND
 from sim2reason.solutions import solve

@@ -9,7 +9,7 @@ from plain_scenes import row
 from sim2reason.questions import Query, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.distances import Moved
-from sim2reason.questions.moments.springs import NaturalLength
+from sim2reason.questions.moments.strings import NaturalLength
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import Halted, Stopped
 from sim2reason.scenes.dsl.scene import Scene

@@ -19,8 +19,7 @@ from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.times import AtStart, WholeMotion
 from sim2reason.questions.moments.turning_points import HighestPoint, LowestPoint, Stopped
 from sim2reason.questions.period_words import PeriodQuery
-from sim2reason.questions.query import Query
-from sim2reason.questions.targets import Target
+from sim2reason.questions.query import Query, Target
 from sim2reason.scenes.bodies.pendulums import Ball, LightRod, UniformRod
 from sim2reason.scenes.bodies.round_bodies import Sphere
 from sim2reason.scenes.bodies.sliders import Block, Carriage

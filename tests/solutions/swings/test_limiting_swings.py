@@ -7,8 +7,7 @@ import pytest
 
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.outcomes import PossibleOutcome
-from sim2reason.questions.outcomes.strings import GoesSlack
-from sim2reason.questions.outcomes.swings import GoesRound
+from sim2reason.questions.outcomes.strings import GoesRound, GoesSlack
 from sim2reason.scenes.bodies.caps import SphericalCap
 from sim2reason.scenes.bodies.pendulums import Ball, Cord, LightRod, UniformRod
 from sim2reason.scenes.dsl.entity import Entity, Named

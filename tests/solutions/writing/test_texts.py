@@ -9,11 +9,11 @@ import pytest
 
 from plain_scenes import atwood, row
 from sim2reason.datasets.grade import grade
+from sim2reason.generation.certified import worked
 from sim2reason.generation.item_search import ItemSearch
 from sim2reason.generation.make import item_of
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.request import Request
-from sim2reason.generation.worked_solutions import worked
 from sim2reason.questions import MODES, Query, Question, StatedResult, Target
 from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.period_words import PeriodQuery

@@ -6,8 +6,7 @@ import pytest
 
 from sim2reason.errors import TrainingError
 from sim2reason.training.corpora import corpus_from
-from sim2reason.training.corpora.arithmetic import Arithmetic
-from sim2reason.training.corpora.drills import Drills
+from sim2reason.training.corpora.arithmetic import Arithmetic, Drills
 
 PROBLEMS = {"name": "p", "recipe": "rolling", "difficulty": "easy", "kinds": ["state"], "seed": 11}
 

@@ -15,12 +15,11 @@ from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 
 from sim2reason.base.registry import further_members
-from sim2reason.datasets.interrupts import deaf_children
 from sim2reason.datasets.places import HERE, PLACES, Crew, Reply, Run, Source
-from sim2reason.datasets.processes import ALONE
+from sim2reason.datasets.processes import ALONE, deaf_children
 from sim2reason.datasets.worker import Batch, Message, outcome, serve
 from sim2reason.errors import DatasetError
-from sim2reason.generation.made import load_maker
+from sim2reason.generation.request import load_maker
 
 PROGRAM = "__main__"
 STARTING = 60.0  # s: a worker may take so long to begin on a busy machine, whatever a batch may take

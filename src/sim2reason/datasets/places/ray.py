@@ -16,7 +16,7 @@ from sim2reason.base.optional import optional
 from sim2reason.datasets.places import PLACES, Crew, Reply, Run, Source
 from sim2reason.datasets.worker import Attempt, Batch, collect_seldom, outcome
 from sim2reason.errors import DatasetError
-from sim2reason.generation.made import Maker, load_maker, versions
+from sim2reason.generation.request import Maker, load_maker, versions
 
 RETRIES: Final = 3  # of a batch whose worker or machine dies; then `WorkQueue` tries its positions one by one
 WAITING: Final = 2  # batches for each core, so that none waits for the next

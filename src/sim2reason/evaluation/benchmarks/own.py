@@ -9,10 +9,9 @@ from annotated_types import Ge, Le
 from pydantic import JsonValue, ValidationError, model_validator
 
 from sim2reason.base.settings import first_fault
-from sim2reason.datasets.chosen import Chosen
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.datasets.items import stream
-from sim2reason.datasets.names import modes_named
+from sim2reason.datasets.plan import Chosen, modes_named
 from sim2reason.errors import EvaluationError
 from sim2reason.evaluation.benchmarks import BENCHMARKS, Benchmark, BenchmarkItem
 from sim2reason.evaluation.benchmarks.parts.files import rows

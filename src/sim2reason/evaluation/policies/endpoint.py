@@ -18,9 +18,7 @@ from sim2reason.base.lazy import cached_property
 from sim2reason.errors import PolicyError
 from sim2reason.evaluation.policies import POLICIES, Completion, Policy, SampleRequest
 from sim2reason.evaluation.policies.parts.chat_answers import Fault, read
-from sim2reason.evaluation.policies.parts.http import post
-from sim2reason.evaluation.policies.parts.retries import delay
-from sim2reason.evaluation.policies.parts.secret import PRINTABLE, VARIABLE, Secret, from_environment
+from sim2reason.evaluation.policies.parts.http import PRINTABLE, VARIABLE, Secret, delay, from_environment, post
 from sim2reason.evaluation.policies.samples import NoAnswerError
 
 __all__ = ["Endpoint"]

@@ -1,18 +1,28 @@
-"""Two policies on the same problems: paired differences with intervals."""
+"""Comparisons of policies, correlations between benchmarks, and the folders of such results."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
 from sim2reason.base.atomic_files import canonical, put_text
-from sim2reason.errors import EvaluationError
+from sim2reason.errors import EvaluationError, MissingExtraError
+from sim2reason.evaluation.benchmarks.own import SYNTHETIC
 from sim2reason.evaluation.reports.markdown import table
-from sim2reason.evaluation.reports.own_folder import own_folder
-from sim2reason.evaluation.reports.results import Estimate, difference
-from sim2reason.evaluation.reports.scores import PolicyScores, scores_of
+from sim2reason.evaluation.reports.results import Estimate, difference, mean_of_items, rank_correlation
+from sim2reason.evaluation.reports.scores import PolicyScores, all_scores, scores_of
+from sim2reason.figures.run_plots import Bar, Point, scatter
 
-__all__ = ["PairedDifference", "compare"]
+__all__ = ["PairedDifference", "RankCorrelation", "compare", "correlate", "own_folder"]
 
-RESULT = "compare.json"
+
+def own_folder(out: Path, result: str) -> None:
+    """Make the folder; EvaluationError if it holds something, and no file of the name `result` among that."""
+    out.mkdir(parents=True, exist_ok=True)
+    if not (out / result).is_file() and (strangers := sorted(path.name for path in out.iterdir())):
+        raise EvaluationError(f"{out}: holds {strangers[0]} and no {result}; choose a new folder")
+
+
+COMPARISON_FILE = "compare.json"
 
 
 class PairedDifference(NamedTuple):
@@ -43,7 +53,7 @@ def compare(first: str | Path, second: str | Path, out: Path | None = None) -> l
         raise EvaluationError(f"{first} and {second} have answered no benchmark of the same name")
     found = [_pair(mine, theirs, name) for name in common]
     if out is not None:
-        _write(out, str(first), str(second), found)
+        _write_comparison(out, str(first), str(second), found)
     return found
 
 
@@ -78,10 +88,10 @@ def rows(found: list[PairedDifference]) -> list[list[object]]:
 HEAD = "benchmark", "problems", "first", "second", "difference", "better", "worse"
 
 
-def _write(out: Path, first: str, second: str, found: list[PairedDifference]) -> None:
-    own_folder(out, RESULT)
+def _write_comparison(out: Path, first: str, second: str, found: list[PairedDifference]) -> None:
+    own_folder(out, COMPARISON_FILE)
     told = [{**one._asdict(), "difference": one.difference._asdict()} for one in found]
-    put_text(out / RESULT, canonical({"first": first, "second": second, "benchmarks": told}), out)
+    put_text(out / COMPARISON_FILE, canonical({"first": first, "second": second, "benchmarks": told}), out)
     lines = [
         "# Paired comparison",
         "",
@@ -89,3 +99,110 @@ def _write(out: Path, first: str, second: str, found: list[PairedDifference]) ->
     ]
     lines += ["95 % interval by a bootstrap over the problems that both answered.", ""]
     put_text(out / "compare.md", "\n".join([*lines, *table(HEAD, rows(found)), ""]), out)
+
+
+FEWEST = 3  # models
+CORRELATION_FILE = "correlate.json"
+
+
+class RankCorrelation(NamedTuple):
+    """Spearman's ρ of two benchmarks over models."""
+
+    across: str
+    up: str
+    models: tuple[str, ...]
+    rho: Estimate | None
+    """None where all models are alike on one of them."""
+    x: tuple[Estimate, ...]
+    y: tuple[Estimate, ...]
+
+
+def correlate(
+    runs: Sequence[Path | str], across: str | None = None, up: Sequence[str] = (), out: Path | None = None
+) -> list[RankCorrelation]:
+    """Correlate accuracy on the benchmark `across`, by default the synthetic one, with that on each of `up`.
+
+    A model is a policy of one of the runs; those with both benchmarks count. With `out`, a folder, the result is
+    written there as ``correlate.json``, ``correlate.md`` and a scatter plot each.
+
+    Raises:
+        EvaluationError: a run that stands twice, no such benchmark, one with itself, fewer than three models, other
+            problems under the same name, or a folder that holds something else.
+    """
+    places = [Path(run).resolve() for run in runs]
+    if twice := [run for run, place in zip(runs, places, strict=True) if places.count(place) > 1]:
+        raise EvaluationError(f"{twice[0]}: this run stands twice; give each once, its models count once")
+    models = [scores for run in runs for scores in all_scores(run)]
+    across = across or _synthetic(models)
+    there = sorted({name for scores in models for name in scores.points})
+    others = list(dict.fromkeys(up)) or [name for name in there if name != across]
+    if unknown := [name for name in (across, *others) if name not in there]:
+        raise EvaluationError(f"no benchmark {unknown[0]!r} in these runs; there are: {', '.join(there)}")
+    if across in others:
+        raise EvaluationError(f"{across} lies across; correlate it with others: {', '.join(there)}")
+    if not others:
+        raise EvaluationError(f"these runs have answered no benchmark but {across}")
+    found = [_correlation(models, across, other) for other in others]
+    if out is not None:
+        _write_correlation(out, found)
+    return found
+
+
+def _synthetic(models: Sequence[PolicyScores]) -> str:
+    names = {name for scores in models for name, plan in scores.run.record.benchmarks.items() if plan.kind == SYNTHETIC}
+    if len(names) != 1:
+        raise EvaluationError("which benchmark shall lie across? these runs have not just one synthetic one; name it")
+    return names.pop()
+
+
+def _correlation(models: Sequence[PolicyScores], across: str, up: str) -> RankCorrelation:
+    both = [scores for scores in models if scores.points.get(across) and scores.points.get(up)]
+    if len(both) < FEWEST:
+        raise EvaluationError(f"{across} and {up}: {len(both)} models have answered both; it takes {FEWEST}")
+    for name in (across, up):
+        if len({scores.run.record.benchmarks[name].data for scores in both}) > 1:
+            raise EvaluationError(f"benchmark {name}: the runs have other problems; correlate the same ones")
+    x, y = (tuple(mean_of_items(list(s.points[name].values())) for s in both) for name in (across, up))
+    rho = rank_correlation([each.value for each in x], [each.value for each in y])
+    return RankCorrelation(across, up, tuple(s.name for s in both), rho, x, y)
+
+
+def told(found: RankCorrelation) -> str:
+    """ρ for people."""
+    rho = found.rho
+    return "none" if rho is None else f"{rho.value:.2f} [{rho.low:.2f}, {rho.high:.2f}]"
+
+
+def _write_correlation(out: Path, found: Sequence[RankCorrelation]) -> None:
+    own_folder(out, CORRELATION_FILE)
+    listed = [
+        {**each._asdict(), "rho": each.rho and each.rho._asdict()}
+        | {side: [one._asdict() for one in getattr(each, side)] for side in ("x", "y")}
+        for each in found
+    ]
+    put_text(out / CORRELATION_FILE, canonical(listed), out)
+    lines = [
+        "# Rank correlation across models",
+        "",
+        "Spearman's ρ with its 95 % interval (Bonett and Wright, 2000).",
+        "",
+    ]
+    lines += table(["across", "up", "models", "ρ"], [[f.across, f.up, len(f.models), told(f)] for f in found])
+    for each in found:
+        rows = zip(each.models, (one.shown for one in each.x), (one.shown for one in each.y), strict=True)
+        lines += ["", *table(["model", each.across, each.up], rows)]
+        if (name := _picture(out, each)) is not None:
+            lines += ["", f"![{each.across} and {each.up}]({name})"]
+    put_text(out / "correlate.md", "\n".join([*lines, ""]), out)
+
+
+def _picture(out: Path, found: RankCorrelation) -> str | None:
+    name = f"{found.across}-{found.up}.png"
+    points = [
+        Point(model, Bar(*x[:3]), Bar(*y[:3])) for model, x, y in zip(found.models, found.x, found.y, strict=True)
+    ]
+    try:
+        scatter(out / name, points, found.across, found.up, f"Spearman's ρ {told(found)}, {len(points)} models")
+    except MissingExtraError:
+        return None
+    return name

@@ -10,7 +10,7 @@ from sim2reason.evaluation.benchmarks.runs.outcomes import SampleOutcome, outcom
 from sim2reason.evaluation.reports.answers_page import answers_page
 from sim2reason.evaluation.reports.markdown import page
 from sim2reason.evaluation.reports.results import Result, RunReport, result
-from sim2reason.figures.evaluation_plots import Bar, bars, over_steps
+from sim2reason.figures.run_plots import Bar, bars, over_steps
 
 __all__ = ["write_report"]
 

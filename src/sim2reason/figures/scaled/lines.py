@@ -6,12 +6,12 @@ from itertools import pairwise
 from math import pi
 
 from sim2reason.figures.hanging import plate, pull_text
+from sim2reason.figures.paths import spring
 from sim2reason.figures.pieces import around
 from sim2reason.figures.scaled.rails import rides
 from sim2reason.figures.scaled.setting import Setting, vector
 from sim2reason.figures.shapes import SIZE, SMALL, Arc, Area, Shape, Sketch, Wanted, dot_at, width
 from sim2reason.figures.shapes import LineShape as Stroke
-from sim2reason.figures.springs import spring
 from sim2reason.figures.vectors import RIGHT, UP, cross, dot, rectangle, unit
 from sim2reason.scenes.dsl.body import Axial, Capped, PulleyWheel, Rectangular, Silhouette, Slender, Small, Spherical
 from sim2reason.scenes.dsl.mechanism import Elastic, Line, Prop, Rigid, RigidBody

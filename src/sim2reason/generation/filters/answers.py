@@ -1,4 +1,4 @@
-"""Filters of answers: degenerate, ambiguous, or lost in rounding."""
+"""Filters that examine the answer, and the agreement of two engines about it."""
 
 import re
 from collections.abc import Iterator
@@ -15,6 +15,33 @@ from sim2reason.questions.unknown import far_from, range_of
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.measures import join_unit
 from sim2reason.simulation.quantities import QUANTITIES, Quantity
+
+
+class Agreement(Filter):
+    """The two engines part, on what is asked or on what happens before it."""
+
+    needs_witness = True
+    order = 0
+
+    def reason(self, candidate: Candidate) -> str:
+        """Return what the kind of question doubts."""
+        query = candidate.question.query
+        return KINDS[query.kind].doubt(query, candidate.study, candidate.certificate)
+
+    def findings(self, candidate: Candidate) -> Iterator[str]:
+        """Yield how far the engines part on the motion, and until when they were compared."""
+        held = candidate.certificate
+        if held is not None and held.agreement:
+            worst = max(held.agreement, key=lambda channel: held.agreement[channel])
+            yield (
+                f"the worst difference of the engines is {held.agreement[worst]:.2g} of the largest value, on the "
+                f"{worst.quantity} of {worst.subject}; up to {held.tolerance:g} is allowed"
+            )
+            yield f"they agree until {held.stable_until:.4g} s; events that both saw: {len(held.matched)}"
+
+
+FILTERS.add("agreement", Agreement())
+
 
 SMALLEST = 0.01  # of the scene's largest value of the quantity: two spoken digits can't tell less from zero
 SAME = 2e-3  # relative: what rounds to the same three digits

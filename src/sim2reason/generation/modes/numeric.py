@@ -1,4 +1,4 @@
-"""The numeric mode: every number is given, and a number is asked for."""
+"""Modes with numbers: numeric, multiple choice, and several parts."""
 
 from collections.abc import Mapping
 from itertools import takewhile
@@ -22,7 +22,7 @@ from sim2reason.questions import (
 from sim2reason.questions.kinds import by_share
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import chosen, sentence
-from sim2reason.questions.targets import targets
+from sim2reason.questions.query import targets
 
 DRAWS = 3  # of queries of one kind, at most, until one suits
 
@@ -67,3 +67,42 @@ class Numeric(QuestionMode):
         query = parse_question(text, study, words, self.kinds) if not words.symbolic else None
         hidden = {unknown.path for unknown in words.unknowns}
         return ParsedQuestion(self.name, query) if query is not None and hidden <= {query.hides} else None
+
+
+@mode
+class Choice(Numeric):
+    """Which of several numbers is it?"""
+
+    name = "choice"
+    offers_options = True
+
+    def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
+        """Parse a question that asks which of two candidates is first or greater; return None for any other."""
+        own = [name for name, kind in KINDS.items() if kind.names_one]
+        found = parse_question(text, study, words, own) if not words.symbolic else None
+        return ParsedQuestion(self.name, found) if found is not None else None
+
+
+@mode
+class Multipart(Numeric):
+    """Several numbers, where one leads to the next?
+
+    Each part is a numeric question; `datasets.part_search` looks for those that build on each other.
+    """
+
+    name = "multipart"
+    several = True
+
+    @property
+    def kinds(self) -> frozenset[str]:
+        """Those that leave no number of the text open, which other parts may need."""
+        return frozenset(name for name in super().kinds if not KINDS[name].hides)
+
+    def asking(self, query: Query, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
+        """None, too, where the question would leave a number open."""
+        return super().asking(query, study, words, rng) if not query.hides else None
+
+    def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
+        """None: each part is read by itself, as a numeric question."""
+        del text, study, words
+        return None

@@ -25,8 +25,8 @@ from sim2reason.questions.kinds import by_share
 from sim2reason.questions.kinds.parts.nested import NestedQuery
 from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import chosen, sentence
-from sim2reason.questions.spoken import OwnSymbol, symbol_for
-from sim2reason.questions.targets import targets
+from sim2reason.questions.query import targets
+from sim2reason.questions.words import OwnSymbol, symbol_for
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions import STRATEGIES, Setting
 from sim2reason.solutions.algebra.expressions import Expression
@@ -35,8 +35,7 @@ from sim2reason.solutions.derivation import derivation
 from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.strategies import fitting
 from sim2reason.text.prose.description import Description
-from sim2reason.text.prose.formula_numbers import factor
-from sim2reason.text.prose.symbol_names import with_names
+from sim2reason.text.prose.symbol_names import factor, with_names
 from sim2reason.text.prose.voices import symbolic_but_zero
 
 DRAWS = 3  # of questions of one kind

@@ -5,8 +5,8 @@ from typing import ClassVar, TypeVar
 
 from sim2reason.base.registry import Registry
 from sim2reason.questions.moments import Moment
+from sim2reason.questions.query import Noun
 from sim2reason.questions.study import Study
-from sim2reason.questions.targets import Noun
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.units import parse_unit

@@ -9,8 +9,8 @@ from sim2reason.questions.functionals import Functional, functional
 from sim2reason.questions.functionals.parts.extreme import Extreme
 from sim2reason.questions.functionals.parts.integral import Integral, is_smooth
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.moments.parts.distance import DistanceThreshold
-from sim2reason.questions.moments.parts.slip_change import slip
+from sim2reason.questions.moments.parts.occurrence import slip
+from sim2reason.questions.moments.parts.reached import DistanceThreshold
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.fields import Push, Resistance
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Elastic, Force, Inextensible, Mechanism

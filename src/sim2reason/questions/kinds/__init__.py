@@ -14,10 +14,9 @@ from sim2reason.questions.doubt import doubt
 from sim2reason.questions.moments import MOMENTS, Moment
 from sim2reason.questions.moments.parts.reached import moment_of
 from sim2reason.questions.phrasing import asking_then, naming_then, stating_then
-from sim2reason.questions.query import Query
+from sim2reason.questions.query import Noun, Query, Targets, quantities_named, target_named
 from sim2reason.questions.structured import EQUILIBRIUM, StructuredQuestion
 from sim2reason.questions.study import Study
-from sim2reason.questions.targets import Noun, Targets, quantities_named, target_named
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.channels import Channel

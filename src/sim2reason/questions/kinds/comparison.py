@@ -8,13 +8,11 @@ from math import log
 import numpy as np
 
 from sim2reason.errors import TextError
-from sim2reason.questions.course import ways
 from sim2reason.questions.kinds import KINDS, Measured, kind
 from sim2reason.questions.kinds.parts.nested import NestedKind, NestedQuery, answered, inner_of, stripped, vouched
-from sim2reason.questions.query import Query
+from sim2reason.questions.query import Noun, Query, Targets, targets
 from sim2reason.questions.structured import CHANGE, StructuredQuestion, measured, one_of, resolved
-from sim2reason.questions.study import Study
-from sim2reason.questions.targets import Noun, Targets, targets
+from sim2reason.questions.study import Study, ways
 from sim2reason.questions.tolerance import NEARLY, TOLERANCE
 from sim2reason.questions.unknown import is_usual
 from sim2reason.questions.words import Words

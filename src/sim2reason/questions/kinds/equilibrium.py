@@ -6,15 +6,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from sim2reason.errors import TextError
-from sim2reason.questions.change import SAME
-from sim2reason.questions.choices import pick
+from sim2reason.questions.choices import DISTINCT_RTOL, pick
 from sim2reason.questions.kinds import Kind, kind
 from sim2reason.questions.period_words import equilibrium_called
 from sim2reason.questions.phrasing import asking
-from sim2reason.questions.query import Query
+from sim2reason.questions.query import Noun, Query, Target, Targets, quantities_named, target_named
 from sim2reason.questions.structured import EQUILIBRIUM, StructuredQuestion
 from sim2reason.questions.study import Study
-from sim2reason.questions.targets import Noun, Target, Targets, quantities_named, target_named
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
 from sim2reason.simulation.certify import Certificate
@@ -66,7 +64,7 @@ class EquilibriumKind(Kind):
             if not abs(value) > quantity.least or (quantity.from_start and quantity.unit == "J"):
                 return False
             told = [target.value(start), *(weights if target.unit == "N" else ())]
-            return all(abs(value - other) > SAME * abs(value) for other in told)
+            return all(abs(value - other) > DISTINCT_RTOL * abs(value) for other in told)
 
         target = pick([target for target in targets if not target.signed], rng, differs)
         if target is None:

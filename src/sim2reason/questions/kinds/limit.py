@@ -6,12 +6,10 @@ from itertools import pairwise, product
 
 import numpy as np
 
-from sim2reason.questions.course import ways
 from sim2reason.questions.kinds import KINDS, Measured, kind
 from sim2reason.questions.kinds.parts.nested import NestedKind, NestedQuery, answered, inner_of, stripped, vouched
-from sim2reason.questions.query import Query
-from sim2reason.questions.study import Study
-from sim2reason.questions.targets import Noun, Targets
+from sim2reason.questions.query import Noun, Query, Targets
+from sim2reason.questions.study import Study, ways
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.simulation.certify import Certificate

@@ -6,7 +6,6 @@ from itertools import pairwise, product
 
 import numpy as np
 
-from sim2reason.questions.course import ways
 from sim2reason.questions.dependence import Dependence
 from sim2reason.questions.kinds import KINDS, Measured, kind
 from sim2reason.questions.kinds.parts.nested import (
@@ -18,10 +17,9 @@ from sim2reason.questions.kinds.parts.nested import (
     stripped,
     vouched,
 )
-from sim2reason.questions.query import Query
+from sim2reason.questions.query import Noun, Query, Targets
 from sim2reason.questions.stationary import FEW, StationaryPoint, StationaryValue
-from sim2reason.questions.study import COARSE, Study
-from sim2reason.questions.targets import Noun, Targets
+from sim2reason.questions.study import COARSE, Study, ways
 from sim2reason.questions.unknown import Unknown, is_usual, range_of, some
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import Certificate

@@ -9,11 +9,10 @@ import numpy as np
 
 from sim2reason.questions.kinds import Kind, Measured, kind
 from sim2reason.questions.period_words import COUNTS, PeriodQuery, attracted_by, movers, noun_of, sentences
-from sim2reason.questions.query import Query
+from sim2reason.questions.query import Noun, Query, Targets
 from sim2reason.questions.recurrence import Repetition
 from sim2reason.questions.structured import EQUILIBRIUM, StructuredQuestion, resolved
 from sim2reason.questions.study import Study
-from sim2reason.questions.targets import Noun, Targets
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
 from sim2reason.simulation.certify import Certificate

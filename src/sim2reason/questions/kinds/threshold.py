@@ -10,10 +10,9 @@ import numpy as np
 from sim2reason.errors import TextError
 from sim2reason.questions.kinds import Kind, Measured, kind
 from sim2reason.questions.outcomes import OUTCOMES, PossibleOutcome
-from sim2reason.questions.query import Query
+from sim2reason.questions.query import Noun, Query, Targets
 from sim2reason.questions.structured import StructuredQuestion, resolved
 from sim2reason.questions.study import Study
-from sim2reason.questions.targets import Noun, Targets
 from sim2reason.questions.tolerance import NEARLY, TOLERANCE
 from sim2reason.questions.trial import Trial
 from sim2reason.questions.unknown import is_usual, some

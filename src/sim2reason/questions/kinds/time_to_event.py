@@ -7,10 +7,9 @@ import numpy as np
 from sim2reason.questions.kinds import Kind, Measured, by_cause, drawn, kind
 from sim2reason.questions.moments import Happening, Moment
 from sim2reason.questions.moments.parts.reached import moment_of
-from sim2reason.questions.query import Query
+from sim2reason.questions.query import Noun, Query, Targets
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.study import Study
-from sim2reason.questions.targets import Noun, Targets
 from sim2reason.questions.words import Words
 
 

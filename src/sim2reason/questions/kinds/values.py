@@ -2,15 +2,12 @@
 
 import numpy as np
 
-from sim2reason.questions.change import changed, is_something
-from sim2reason.questions.choices import has_formula_of_time, only_falls, pick
-from sim2reason.questions.constancy import lasts
+from sim2reason.questions.choices import changed, has_formula_of_time, is_something, lasts, only_falls, pick
 from sim2reason.questions.kinds import ValueKind, drawn, kind
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.times import AllAlong, AtStart
-from sim2reason.questions.query import Query
+from sim2reason.questions.query import Query, Targets
 from sim2reason.questions.study import Study
-from sim2reason.questions.targets import Targets
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism

@@ -10,10 +10,9 @@ from sim2reason.questions.kinds import KINDS, Measured, kind
 from sim2reason.questions.kinds.parts.nested import AWKWARD
 from sim2reason.questions.kinds.parts.which import OR, WhichKind, WhichQuery
 from sim2reason.questions.moments.parts.reached import moment_of
-from sim2reason.questions.query import Query
+from sim2reason.questions.query import Noun, Query, Target, Targets, quantities_named, target_named, targets
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.study import Study
-from sim2reason.questions.targets import Noun, Target, Targets, quantities_named, target_named, targets
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities import QUANTITIES

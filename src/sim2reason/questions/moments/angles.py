@@ -7,11 +7,10 @@ from typing import Self
 import numpy as np
 
 from sim2reason.questions.moments import MOMENTS, Clause
+from sim2reason.questions.moments.parts.occurrence import Verb, when_phrases
 from sim2reason.questions.moments.parts.passage import Passage, Threshold
-from sim2reason.questions.moments.parts.verbs import Verb, when_phrases
-from sim2reason.questions.spoken import spoken
 from sim2reason.questions.study import Study
-from sim2reason.questions.words import Words
+from sim2reason.questions.words import Words, spoken
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities.positions import Deflection, deflection_at_start

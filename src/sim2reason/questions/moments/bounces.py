@@ -9,12 +9,10 @@ import numpy as np
 
 from sim2reason.questions.crossing import crossings
 from sim2reason.questions.moments import MOMENTS, Clause
-from sim2reason.questions.moments.parts.distance import DistanceThreshold
-from sim2reason.questions.moments.parts.occurrence import Occurrence, VelocityJump
-from sim2reason.questions.moments.parts.verbs import Verb
-from sim2reason.questions.spoken import ordinal, round_number
+from sim2reason.questions.moments.parts.occurrence import Occurrence, VelocityJump, Verb
+from sim2reason.questions.moments.parts.reached import DistanceThreshold
 from sim2reason.questions.study import Study
-from sim2reason.questions.words import Words
+from sim2reason.questions.words import Words, ordinal, round_number
 from sim2reason.scenes.dsl.mechanism import Meeting
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.channels import Channel

@@ -3,8 +3,7 @@
 from dataclasses import dataclass
 
 from sim2reason.questions.moments import MOMENTS
-from sim2reason.questions.moments.parts.occurrence import Occurrence
-from sim2reason.questions.moments.parts.verbs import Verb
+from sim2reason.questions.moments.parts.occurrence import Occurrence, Verb
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.simulation.channels import Channel

@@ -8,9 +8,8 @@ import numpy as np
 
 from sim2reason.questions.moments import MOMENTS, Moment
 from sim2reason.questions.moments.bounces import Bounced
-from sim2reason.questions.moments.parts.free_motion import meets_once, moves_freely
-from sim2reason.questions.moments.parts.occurrence import VelocityJump
-from sim2reason.questions.moments.parts.verbs import Verb
+from sim2reason.questions.moments.parts.occurrence import VelocityJump, Verb
+from sim2reason.questions.moments.parts.turning_points import meets_once, moves_freely
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Meeting

@@ -8,9 +8,7 @@ import numpy as np
 
 from sim2reason.questions.choices import still
 from sim2reason.questions.moments import MOMENTS, Clause
-from sim2reason.questions.moments.parts.occurrence import Occurrence, VelocityJump
-from sim2reason.questions.moments.parts.slip_change import SlipChange, rolls, slip
-from sim2reason.questions.moments.parts.verbs import Verb
+from sim2reason.questions.moments.parts.occurrence import Occurrence, SlipChange, VelocityJump, Verb, rolls, slip
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.mechanism import Mechanism, Prop

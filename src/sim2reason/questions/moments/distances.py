@@ -9,12 +9,10 @@ import numpy as np
 from sim2reason.questions.choices import only_falls
 from sim2reason.questions.crossing import crossings, first_crossing
 from sim2reason.questions.moments import MOMENTS, Clause
-from sim2reason.questions.moments.parts.charged import acting_on
-from sim2reason.questions.moments.parts.distance import DistanceThreshold
-from sim2reason.questions.moments.parts.free_motion import goes_straight_up
-from sim2reason.questions.moments.parts.passage import Passage
-from sim2reason.questions.moments.parts.turning_points import Apsis
-from sim2reason.questions.moments.parts.verbs import Verb, when_phrases
+from sim2reason.questions.moments.parts.occurrence import Verb, when_phrases
+from sim2reason.questions.moments.parts.passage import Passage, acting_on
+from sim2reason.questions.moments.parts.reached import DistanceThreshold
+from sim2reason.questions.moments.parts.turning_points import Apsis, goes_straight_up
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.constancy import may_turn_back

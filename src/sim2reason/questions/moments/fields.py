@@ -8,10 +8,8 @@ from typing import ClassVar
 import numpy as np
 
 from sim2reason.questions.moments import MOMENTS, Clause
-from sim2reason.questions.moments.parts.charged import SLIGHT, ActingFields, FieldPassage, begins
-from sim2reason.questions.moments.parts.occurrence import Occurrence
-from sim2reason.questions.moments.parts.passage import Threshold
-from sim2reason.questions.moments.parts.verbs import Verb, when_phrases
+from sim2reason.questions.moments.parts.occurrence import Occurrence, Verb, when_phrases
+from sim2reason.questions.moments.parts.passage import SLIGHT, ActingFields, FieldPassage, Threshold, begins
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.fields import Push
 from sim2reason.scenes.dsl.mechanism import Mechanism

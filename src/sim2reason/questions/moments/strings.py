@@ -1,13 +1,25 @@
-"""Strings that go slack or become taut."""
+"""Moments of strings and springs."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import ClassVar, Self
 
+import numpy as np
+
+from sim2reason.questions.crossing import first_crossing
 from sim2reason.questions.moments import MOMENTS
-from sim2reason.questions.moments.parts.occurrence import Occurrence, VelocityJump
-from sim2reason.questions.moments.parts.verbs import Verb
+from sim2reason.questions.moments.parts.occurrence import Occurrence, VelocityJump, Verb
+from sim2reason.questions.moments.parts.passage import Passage
+from sim2reason.questions.moments.parts.turning_points import SpringTurn
+from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
-from sim2reason.scenes.dsl.mechanism import Inextensible
-from sim2reason.simulation.quantities.subjects.lines import Strings
+from sim2reason.scenes.dsl.frames import start
+from sim2reason.scenes.dsl.mechanism import Elastic, Inextensible, Mechanism
+from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.simulation.channels import Channel
+from sim2reason.simulation.quantities.springs import Extension
+from sim2reason.simulation.quantities.subjects.lines import Springs, Strings
+from sim2reason.simulation.trace import Trace
 
 
 @MOMENTS.register("went_slack")
@@ -37,3 +49,78 @@ class WentTaut(VelocityJump):
         law = words.mechanism.line[self.name].law
         spare = isinstance(law, Inextensible) and law.slack > 0.0
         return self.verb if spare else Verb("becomes taut again", "become taut again")
+
+
+@MOMENTS.register("most_compressed")
+@dataclass(frozen=True, slots=True)
+class MostCompressed(SpringTurn):
+    """The first time that a spring is compressed the most."""
+
+    label = "greatest compression"
+    verb = Verb("reaches its maximum compression", "reach its maximum compression")
+    local_verb = Verb("reaches a maximum of its compression", "reach a maximum of its compression")
+
+    def sign(self) -> float:
+        """Return -1, since the length is least then."""
+        return -1.0
+
+
+@MOMENTS.register("most_stretched")
+@dataclass(frozen=True, slots=True)
+class MostStretched(SpringTurn):
+    """The first time that a spring is stretched the most."""
+
+    label = "greatest extension"
+    verb = Verb("reaches its maximum extension", "reach its maximum extension")
+    local_verb = Verb("reaches a maximum of its extension", "reach a maximum of its extension")
+
+    def sign(self) -> float:
+        """Return 1, since the length is greatest then."""
+        return 1.0
+
+
+RELAXED = 1e-9  # of its natural length
+
+
+@MOMENTS.register("natural_length")
+@dataclass(frozen=True, slots=True)
+class NaturalLength(Passage):
+    """The first time, after the start, that a spring is neither stretched nor compressed."""
+
+    label = "natural length"
+    of = Springs()
+    hangs_on = "extension"
+    verb = Verb("has its natural length", "have its natural length")
+    again: ClassVar[Verb] = Verb("has its natural length again", "have its natural length again")
+
+    @classmethod
+    def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
+        """Return the moments that recipes may draw: those of springs that are strained at the start."""
+        del rng
+        strained = (cls(name) for name in cls.candidates(words) if not _relaxed(words.mechanism, name))
+        return [moment for moment in strained if moment.comes(study)]
+
+    def does(self, words: Words) -> Verb:
+        """It has its natural length, or has it again, where it has it at the start."""
+        return self.again if _relaxed(words.mechanism, self.name) else self.verb
+
+    def excess(self, state: State) -> Array:
+        """Return how far it is stretched."""
+        return Extension.evaluate(state, self.name)
+
+    def time(self, trace: Trace) -> float | None:
+        """Return the first time after the start, s, at which it was shorter or longer just before."""
+        found = [first_crossing(trace, self.excess), first_crossing(trace, lambda state: -self.excess(state))]
+        return min((time for time in found if time is not None), default=None)
+
+    @property
+    def tells(self) -> tuple[Channel, ...]:
+        """That it is not stretched."""
+        return self.channels
+
+
+def _relaxed(mechanism: Mechanism, name: str) -> bool:
+    """Return whether a spring has its natural length at the start."""
+    line = mechanism.line[name]
+    assert isinstance(line.law, Elastic)
+    return abs(start(mechanism).length(line) - line.law.length) <= RELAXED * line.law.length

@@ -10,9 +10,8 @@ import numpy as np
 from sim2reason.questions.choices import apart, bears_from
 from sim2reason.questions.moments import MOMENTS, Moment
 from sim2reason.questions.recurrence import drift_return, first_return, rest_for_good, uniform_from
-from sim2reason.questions.spoken import round_number, spoken
 from sim2reason.questions.study import Study
-from sim2reason.questions.words import Words
+from sim2reason.questions.words import Words, round_number, spoken
 from sim2reason.simulation.trace import Trace, ending
 
 

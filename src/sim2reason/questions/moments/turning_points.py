@@ -10,11 +10,9 @@ import numpy as np
 from sim2reason.questions.choices import STILL, still
 from sim2reason.questions.crossing import crossings
 from sim2reason.questions.moments import MOMENTS
-from sim2reason.questions.moments.parts.free_motion import goes_straight_up
-from sim2reason.questions.moments.parts.occurrence import Occurrence
+from sim2reason.questions.moments.parts.occurrence import Occurrence, Verb
 from sim2reason.questions.moments.parts.passage import Passage
-from sim2reason.questions.moments.parts.turning_points import TurningPoint
-from sim2reason.questions.moments.parts.verbs import Verb
+from sim2reason.questions.moments.parts.turning_points import TurningPoint, goes_straight_up
 from sim2reason.questions.recurrence import ends_at_rest, nothing_new
 from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words

@@ -12,8 +12,8 @@ from sim2reason.questions.ordinary.readers import CHANGE, JUMP, LOSS, Main
 from sim2reason.questions.ordinary.vocabulary import GAINED, GROUNDS, LOWEST, ONCE, pattern
 from sim2reason.questions.ordinary.whens import AFTER, DURING, THEN, When
 from sim2reason.questions.posing import MINUS
-from sim2reason.questions.spoken import ORDINALS
 from sim2reason.questions.structured import START
+from sim2reason.questions.words import ORDINALS
 
 _LONG = "how (?:much time|long|many (?:seconds|years))"
 _BETWEEN = tuple(

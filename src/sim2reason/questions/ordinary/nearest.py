@@ -12,8 +12,7 @@ from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.ordinary.absent import absent
 from sim2reason.questions.ordinary.beyond import reason
 from sim2reason.questions.posing import PosedQuestion
-from sim2reason.questions.query import Query
-from sim2reason.questions.targets import targets
+from sim2reason.questions.query import Query, targets
 from sim2reason.questions.words import Words
 
 MOST = 3

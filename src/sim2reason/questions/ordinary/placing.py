@@ -30,10 +30,9 @@ from sim2reason.questions.ordinary.whens import (
 )
 from sim2reason.questions.period_words import movers
 from sim2reason.questions.posing import AXLE, HEAT, MINUS, PLUS, SUMMED
-from sim2reason.questions.spoken import ORDINALS
+from sim2reason.questions.query import quantities_named
 from sim2reason.questions.structured import START, StructuredQuestion, resolved
-from sim2reason.questions.targets import quantities_named
-from sim2reason.questions.words import Words
+from sim2reason.questions.words import ORDINALS, Words
 from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.simulation.quantities.subjects.bodies import RIGHT, Bodies, TurningBodies

@@ -21,9 +21,8 @@ from sim2reason.questions.ordinary.vocabulary import (
     UNDER,
 )
 from sim2reason.questions.ordinary.whens import AFTER
-from sim2reason.questions.query import Query
+from sim2reason.questions.query import Query, Target
 from sim2reason.questions.study import Study
-from sim2reason.questions.targets import Target
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.state import State
 from sim2reason.simulation.quantities import QUANTITIES

@@ -10,7 +10,7 @@ from sim2reason.errors import TextError
 from sim2reason.questions.following import Followed
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.moments.parts.slip_change import rolls, slip
+from sim2reason.questions.moments.parts.occurrence import rolls, slip
 from sim2reason.questions.ordinary.vocabulary import (
     ALOFT,
     CARRIED_AT_REST,

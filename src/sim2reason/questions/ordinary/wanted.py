@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import product
 
-from sim2reason.questions.moments.parts.slip_change import rolls
+from sim2reason.questions.moments.parts.occurrence import rolls
 from sim2reason.questions.ordinary.clauses import whens
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.paraphrased_limits import DecidingNumber, limits
@@ -13,8 +13,8 @@ from sim2reason.questions.ordinary.readers import each
 from sim2reason.questions.ordinary.reading import Reading
 from sim2reason.questions.ordinary.vocabulary import QUANTITIES, meant, pattern
 from sim2reason.questions.ordinary.whens import CONNECTORS, When, addresses
+from sim2reason.questions.query import OWN_PATH
 from sim2reason.questions.structured import START, StructuredQuestion
-from sim2reason.questions.targets import OWN_PATH
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.quantities.subjects.bodies import Bodies

@@ -5,8 +5,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from sim2reason.questions.ordinary.vocabulary import DOWN, MOTIONS, ROLL, ROLLING, UP, WAYS, meant
+from sim2reason.questions.query import quantities_named
 from sim2reason.questions.structured import StructuredQuestion
-from sim2reason.questions.targets import quantities_named
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.frames import start
 from sim2reason.scenes.dsl.mechanism import Elastic

@@ -5,7 +5,7 @@ from math import isfinite
 
 import numpy as np
 
-from sim2reason.questions.moments.parts.slip_change import rolls, slip
+from sim2reason.questions.moments.parts.occurrence import rolls, slip
 from sim2reason.questions.outcomes import (
     OUTCOMES,
     Onset,

@@ -8,7 +8,7 @@ from typing import Self
 import numpy as np
 
 from sim2reason.questions.moments.bounces import GROUND, WALL, struck
-from sim2reason.questions.moments.parts.slip_change import slip
+from sim2reason.questions.moments.parts.occurrence import slip
 from sim2reason.questions.regimes import REGIMES, Regime
 from sim2reason.questions.regimes.directions import OPPOSITE
 from sim2reason.questions.study import Study

@@ -8,9 +8,8 @@ from sim2reason.questions.crossing import crossings
 from sim2reason.questions.moments.parts.passage import Passage
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism, OtherReading, simplification
-from sim2reason.questions.simplifications.parts.asked import asked_until
+from sim2reason.questions.simplifications.parts.asked import asked_until, with_formulas
 from sim2reason.questions.simplifications.parts.restitution import OneRestitution
-from sim2reason.questions.simplifications.parts.steady import with_formulas
 from sim2reason.questions.study import Study, Timed
 from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.mechanism import Mechanism

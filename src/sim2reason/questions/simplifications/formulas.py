@@ -9,9 +9,9 @@ import numpy as np
 
 from sim2reason.questions.query import Query
 from sim2reason.questions.simplifications import ChangedMechanism, OtherReading, Simplification, simplification
+from sim2reason.questions.simplifications.parts.asked import is_steady, with_formulas
 from sim2reason.questions.simplifications.parts.hanging import hanging
 from sim2reason.questions.simplifications.parts.orbits import Motion, PlanetOrbit, moving_as, orbits
-from sim2reason.questions.simplifications.parts.steady import is_steady, with_formulas
 from sim2reason.questions.study import Study
 from sim2reason.scenes.dsl.ablation import weighs, with_lines
 from sim2reason.scenes.dsl.constancy import changing

@@ -1,10 +1,13 @@
-"""What stands at an address of a value, as in ``stones.1.mass``, and the same value with something else there."""
+"""Addresses of values in a scene, and optional fields that only a connection needs."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import chain
 from typing import Any, TypeVar
 
 from sim2reason.errors import SceneError
-from sim2reason.scenes.dsl.model import Model
+from sim2reason.scenes.dsl.connection import Link
+from sim2reason.scenes.dsl.entity import Named, outer_ports
+from sim2reason.scenes.dsl.model import Model, rebuilt
 
 NOTHING, LOOK = "there is no such thing in the scene", "list the scene's parameters"
 V = TypeVar("V")
@@ -45,3 +48,30 @@ def changed(value: V, news: Mapping[str, object]) -> V:
     if isinstance(value, tuple):
         return tuple(member for member in held.values() if member is not None)  # type: ignore[return-value]
     return type(value)(**held)  # type: ignore[return-value]
+
+
+def used_ports(paths: Iterable[Sequence[Link]]) -> set[tuple[str, str]]:
+    """Entity and port of all links of some connections."""
+    return {(link.entity, link.port) for link in chain.from_iterable(paths)}
+
+
+def idle_fields(named: Named, used: set[tuple[str, str]]) -> Iterator[tuple[str, str]]:
+    """Yield the fields that are given though every port that needs them is open, each with one of these ports."""
+    needed: dict[str, list[str]] = {}
+    for name, port in outer_ports(type(named.entity)).items():
+        if port.needs:
+            needed.setdefault(port.needs, []).append(name)
+    for field, ports in needed.items():
+        if getattr(named.entity, field) is not None and not any((named.name, port) in used for port in ports):
+            yield field, ports[0]
+
+
+def vacated(entities: Iterable[Named], paths: Iterable[Sequence[Link]]) -> tuple[Named, ...]:
+    """The entities without what only open ports need: what to make a scene of once it is known what is connected."""
+    used = used_ports(paths)
+    return tuple(_vacated(named, used) for named in entities)
+
+
+def _vacated(named: Named, used: set[tuple[str, str]]) -> Named:
+    idle = {field: None for field, _ in idle_fields(named, used)}
+    return Named(name=named.name, entity=rebuilt(named.entity, **idle)) if idle else named

@@ -6,13 +6,13 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from sim2reason.errors import SceneError
+from sim2reason.scenes.dsl.addresses import vacated
 from sim2reason.scenes.dsl.body import Body
 from sim2reason.scenes.dsl.connection import CONNECTIONS, Connection, Link
 from sim2reason.scenes.dsl.entity import ENTITIES, Entity, Named, Part, outer_ports
 from sim2reason.scenes.dsl.model import Choice, Model, draw, field_types
 from sim2reason.scenes.dsl.ports import Pass, Port
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.dsl.vacancies import vacated
 
 OPTIONAL = 0.5
 SPECIAL = 0.2  # the chance of a value that a word tells, such as smooth or horizontal

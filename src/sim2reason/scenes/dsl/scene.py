@@ -8,7 +8,7 @@ from pydantic import SerializeAsAny, model_validator
 from sim2reason.base.lazy import cached_property
 from sim2reason.base.record import abridged, counted
 from sim2reason.errors import SceneError
-from sim2reason.scenes.dsl.addresses import changed, lookup
+from sim2reason.scenes.dsl.addresses import changed, idle_fields, lookup, vacated
 from sim2reason.scenes.dsl.body import Body
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.connection import Connection, Joint, Link
@@ -20,7 +20,6 @@ from sim2reason.scenes.dsl.mechanism import GRAVITY, Mechanism
 from sim2reason.scenes.dsl.model import Model, Parameter, parameters, rebuilt
 from sim2reason.scenes.dsl.ports import Pass, Port, Stop, reversed_stops, travelled
 from sim2reason.scenes.dsl.units import UnitSystem
-from sim2reason.scenes.dsl.vacancies import idle_fields, vacated
 
 MAX_ENTITIES = 8
 

@@ -25,8 +25,7 @@ from sim2reason.scenes.authoring import (
 )
 from sim2reason.scenes.bodies.pendulums import Ball, Cord, LightRod
 from sim2reason.scenes.bodies.sliders import Carriage
-from sim2reason.scenes.entities.parts.assembly import WeldedArm
-from sim2reason.scenes.entities.parts.swings import AT_FIRST, SENT_OFF, TILTED, Deflection, swings
+from sim2reason.scenes.entities.parts.assembly import AT_FIRST, SENT_OFF, TILTED, PendulumDeflection, WeldedArm, swings
 
 
 @entity
@@ -35,7 +34,7 @@ class LightRodPendulum(Entity):
 
     bob: Ball
     rod: LightRod
-    angle: Deflection
+    angle: PendulumDeflection
     side: Literal["left", "right"] = "right"
     speed: Speed | None = None
 
@@ -75,7 +74,7 @@ class Pendulum(Entity):
 
     bob: Ball
     hanger: Cord | LightRod
-    angle: Annotated[Deflection, Le(175), Range(5.0, 90.0)]
+    angle: Annotated[PendulumDeflection, Le(175), Range(5.0, 90.0)]
     speed: Annotated[Speed | None, Chance(0.5)] = None
 
     words = {

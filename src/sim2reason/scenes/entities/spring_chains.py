@@ -32,7 +32,7 @@ from sim2reason.scenes.bodies.sliders import Cart
 from sim2reason.scenes.bodies.spring import Coil
 from sim2reason.scenes.dsl.mechanism import Elastic
 from sim2reason.scenes.entities.parts.friction import two_coefficients
-from sim2reason.scenes.entities.parts.springs import AT_FIRST, DASHPOTS, STRAINED, Blow, Strained
+from sim2reason.scenes.entities.parts.springs import DASHPOTS, STRAIN_SENTENCE, STRAINED, Blow, Strained
 
 WALLS = {"free": 0, "left": 1, "right": 1, "both": 2}
 PERIODS = 1.5  # of the heaviest cart on the softest spring that the motion is followed for
@@ -84,7 +84,7 @@ class SpringMassChain(Entity):
             "{where} there {springs:is/are, in this order,} {springs:/light }{springs}.",
         ),
         DASHPOTS,
-        AT_FIRST,
+        STRAIN_SENTENCE,
         starting(
             "at t = 0 {blow.cart>carts} is struck and starts off {toward} at speed {blow.speed}{carts:/, the other being at rest/, the others being at rest}.",
             "just before t = 0 a blow sends {blow.cart>carts} off {toward} at speed {blow.speed}{carts:/, while the other is at rest/, while the others are at rest}.",
@@ -159,7 +159,7 @@ class SpringMassRing(Entity):
             "each bead is joined to the next along the ring, and the last one to the first, by light {springs} in this order, beginning at {beads.first}.",
         ),
         DASHPOTS,
-        AT_FIRST,
+        STRAIN_SENTENCE,
         starting(
             "at t = 0 {tap.bead>beads} is struck and starts off {tap.toward} at speed {tap.speed}, {beads:/the other being/the others being} at rest.",
             "just before t = 0 a blow sends {tap.bead>beads} off {tap.toward} at speed {tap.speed}, while {beads:/the other is/the others are} at rest.",

@@ -12,7 +12,7 @@ from sim2reason.scenes.bodies.sliders import Block
 from sim2reason.scenes.bodies.spring import Spring
 from sim2reason.scenes.entities.parts.friction import two_coefficients
 from sim2reason.scenes.entities.parts.mass_systems import FREE_WEDGE, FRICTION_ON_PLANE
-from sim2reason.scenes.entities.parts.stretched import AT_FIRST, StartLength, fitted_spring
+from sim2reason.scenes.entities.parts.springs import START_LENGTH_SENTENCE, StartLength, fitted_spring
 
 
 @entity
@@ -60,7 +60,7 @@ class AnchoredSpring(Entity):
     }
     says = (
         either("{held}.", "{ties}.", "{lies}."),
-        AT_FIRST,
+        START_LENGTH_SENTENCE,
     )
     end = End(sites=("hook",), tied="{block}", leaves="{from}", arrives="{to} to {block}")
 
@@ -105,7 +105,7 @@ class SpringMassIncline(Entity):
             "{spring} leads from {block} to {stop}.",
         ),
         FRICTION_ON_PLANE,
-        AT_FIRST,
+        START_LENGTH_SENTENCE,
     )
     right = End(sites=("hook",), tied="{block}", leaves="runs {plane.uphill}", arrives="reaches {block} {plane.above}")
 
@@ -151,7 +151,7 @@ class SpringOnWedge(Entity):
             "on this face the coefficient of friction, static and kinetic, is {wedge.friction}.",
             "static and kinetic friction on this face have the same coefficient, {wedge.friction}.",
         ).if_given("wedge.static_friction", *two_coefficients("on this face", "wedge")),
-        AT_FIRST,
+        START_LENGTH_SENTENCE,
     )
 
     @classmethod

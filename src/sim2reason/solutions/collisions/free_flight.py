@@ -8,7 +8,7 @@ from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.functionals.parts.extreme import Extreme
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.turning_points import HighestPoint
-from sim2reason.questions.targets import Target
+from sim2reason.questions.query import Target
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.algebra.functions import Absolute, Power, Root, squares
 from sim2reason.solutions.algebra.polynomials import Polynomial

@@ -2,7 +2,7 @@
 
 from abc import ABC, abstractmethod
 
-from sim2reason.questions.spoken import ORDINALS
+from sim2reason.questions.words import ORDINALS
 from sim2reason.scenes.dsl.mechanism import Meeting
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, added, multiplied, ratio
 from sim2reason.solutions.algebra.functions import Root, squares

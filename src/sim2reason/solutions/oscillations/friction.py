@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from sim2reason.questions.moments.distances import Moved
-from sim2reason.questions.moments.springs import NaturalLength
+from sim2reason.questions.moments.strings import NaturalLength
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.fractions import over
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial

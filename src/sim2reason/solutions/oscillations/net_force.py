@@ -5,7 +5,7 @@ import numpy as np
 from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.functionals.parts.extreme import Extreme
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
-from sim2reason.questions.targets import Target
+from sim2reason.questions.query import Target
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.quantities.kinematics import Velocity
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol

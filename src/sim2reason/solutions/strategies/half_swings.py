@@ -8,7 +8,7 @@ from math import pi
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.questions.moments.distances import Moved
-from sim2reason.questions.moments.springs import NaturalLength
+from sim2reason.questions.moments.strings import NaturalLength
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import Halted
 from sim2reason.scenes.dsl.mechanism import Mechanism

@@ -4,8 +4,7 @@ By energy: what goes round is at rest on top; a string is without tension there,
 """
 
 from sim2reason.questions.kinds.threshold import ThresholdQuery
-from sim2reason.questions.outcomes.strings import GoesSlack
-from sim2reason.questions.outcomes.swings import GoesRound
+from sim2reason.questions.outcomes.strings import GoesRound, GoesSlack
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, squares

@@ -6,7 +6,7 @@ import numpy as np
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.questions.moments.distances import Moved
-from sim2reason.questions.moments.springs import MostCompressed, MostStretched, NaturalLength
+from sim2reason.questions.moments.strings import MostCompressed, MostStretched, NaturalLength
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.need import Need

@@ -12,7 +12,7 @@ from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.functionals.parts.extreme import Extreme
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.distances import Moved
-from sim2reason.questions.moments.springs import NaturalLength
+from sim2reason.questions.moments.strings import NaturalLength
 from sim2reason.questions.moments.times import AtTime
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism

@@ -29,7 +29,7 @@ from sim2reason.solutions.algebra.functions import Call
 from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
 from sim2reason.solutions.writing.number_sums import Named, sum_of_products
 from sim2reason.solutions.writing.unit_latex import latex
-from sim2reason.text.prose.formula_numbers import factor
+from sim2reason.text.prose.symbol_names import factor
 
 SHIFT = 1e-3  # by how much, at most, numbers of the twin differ
 SAME = 1e-10  # relative: far less than two numbers can agree by chance

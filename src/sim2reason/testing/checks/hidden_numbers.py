@@ -1,17 +1,124 @@
-"""Hidden numbers do not matter."""
+"""Checks of numbers that a text states or hides."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import cast
 
 import numpy as np
 
+from sim2reason.errors import SimulationError, UnsupportedError
+from sim2reason.questions import Study
+from sim2reason.scenes.dsl.mechanism import Face, Mechanism, Meeting, RigidBody
 from sim2reason.scenes.dsl.model import Model, Parameter, field_types
 from sim2reason.scenes.dsl.scene import Scene
+from sim2reason.simulation.certify import RECORDED
+from sim2reason.simulation.trace import ENGINES
 from sim2reason.testing.answers import differences
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding
-from sim2reason.testing.specimens import Specimens
-from sim2reason.testing.variants import changed, studied
+from sim2reason.testing.specimens import Specimen, Specimens, changed, spoken, studied, told_by_word
+
+SHIFT = 1.01
+WORDINGS = 3
+
+
+@check
+class GivensCheck(Check):
+    """Every number that an answer depends on is said: those declared in every wording, g, masses, and no others."""
+
+    name = "givens"
+
+    def findings(self, specimens: Specimens) -> Iterator[Finding]:
+        """Change what the text does not say, declared or not, and ask again."""
+        for found in specimens.moving:
+            yield from self._declared(found)
+            yield from self._undeclared(found)
+
+    def _declared(self, found: Specimen) -> Iterator[Finding]:
+        """Numbers of the scene that some wording does not speak, and that matter."""
+        heard = [set(spoken(found.scene, seed)) for seed in range(found.seed, found.seed + WORDINGS)]
+        for parameter in found.scene.parameters:
+            path, value = parameter.path, parameter.value
+            if parameter.hidden or not value or all(path in said for said in heard) or told_by_word(found.scene, path):
+                continue
+            other = studied(changed(found.scene, {path: value * SHIFT}), found.scene.horizon)
+            difference = next(differences(found, other), None) if other is not None else None
+            if difference is not None:
+                yield found.finding(
+                    self.name,
+                    f"the text says {path}, on which answers depend",
+                    f"it does not, and with {path} 1 % larger {difference.text}",
+                    "say it in every wording of a line",
+                )
+
+    def _undeclared(self, found: Specimen) -> Iterator[Finding]:
+        """Masses and coefficients of the mechanism that no number of the text decides, and that matter."""
+        mechanism = found.study.mechanism
+        for name, other in _shifted(mechanism):
+            if name in _decided(found):
+                continue
+            difference = next(differences(found, study), None) if (study := _moved(found, other)) else None
+            if difference is not None:
+                yield found.finding(
+                    self.name,
+                    f"{name} follows from what the text says",
+                    f"it does not, and with it 1 % larger {difference.text}",
+                    "declare it as a field with a Measure, and say it",
+                )
+
+
+def _facts(mechanism: Mechanism) -> dict[str, float]:
+    """Return what a mechanism knows of masses, friction and bounces, by what it is."""
+    found = {f"the mass of {body.name}": body.mass for body in mechanism.bodies}
+    found |= {f"the friction under {face.subject}": face.friction for face in mechanism.faces}
+    found |= {f"the restitution of {' and '.join(hit.names)}": hit.restitution for hit in mechanism.meetings}
+    return {name: value for name, value in found.items() if value not in (0.0, 1.0) and np.isfinite(value)}
+
+
+def _decided(found: Specimen) -> set[str]:
+    """Return the facts that change with some number of the text."""
+    before, decided = _facts(found.study.mechanism), set[str]()
+    for path, parameter in spoken(found.scene).items():
+        other = changed(found.scene, {path: (parameter.value or 0.0) * SHIFT})
+        if other is not None and parameter.value:
+            after = _facts(other.mechanism)
+            decided |= {name for name, value in before.items() if after.get(name) != value}
+    return decided
+
+
+def _shifted(mechanism: Mechanism) -> Iterator[tuple[str, Mechanism]]:
+    """Yield the mechanism with one fact after another changed."""
+    for name in _facts(mechanism):
+        bodies = tuple(_heavier(body) if name == f"the mass of {body.name}" else body for body in mechanism.bodies)
+        faces = tuple(
+            _rougher(face) if name == f"the friction under {face.subject}" else face for face in mechanism.faces
+        )
+        hits = tuple(
+            _livelier(hit) if name == f"the restitution of {' and '.join(hit.names)}" else hit
+            for hit in mechanism.meetings
+        )
+        yield name, replace(mechanism, bodies=bodies, faces=faces, meetings=hits)
+
+
+def _heavier(body: RigidBody) -> RigidBody:
+    xx, yy, zz, xy, xz, yz = (SHIFT * part for part in body.inertia)
+    return replace(body, mass=SHIFT * body.mass, inertia=(xx, yy, zz, xy, xz, yz))
+
+
+def _rougher(face: Face) -> Face:
+    return replace(face, friction=SHIFT * face.friction)
+
+
+def _livelier(hit: Meeting) -> Meeting:
+    return replace(hit, restitution=hit.restitution / SHIFT)
+
+
+def _moved(found: Specimen, mechanism: Mechanism) -> Study | None:
+    try:
+        return Study(found.scene, ENGINES[RECORDED](mechanism, np.array([0.0, found.scene.horizon])))
+    except (SimulationError, UnsupportedError):
+        return None
+
 
 DRAWS = 3
 

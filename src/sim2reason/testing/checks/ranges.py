@@ -16,8 +16,7 @@ from sim2reason.scenes.dsl.model import Model, draw, field_types
 from sim2reason.testing.answers import differences
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding
-from sim2reason.testing.specimens import IT, Specimen, Specimens, specimen
-from sim2reason.testing.variants import changed, spoken, studied
+from sim2reason.testing.specimens import IT, Specimen, Specimens, changed, specimen, spoken, studied
 
 DRAWS, MANY = 60, 300  # seeds of draws, and how many where something seems to be constant
 OFTEN = 12  # times that something must have been drawn to be called constant

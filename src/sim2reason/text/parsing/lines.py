@@ -12,7 +12,7 @@ from sim2reason.scenes.dsl.template import Each, PartLines, Saying, Wordings, sl
 from sim2reason.text.parsing.matcher import Matcher
 from sim2reason.text.parsing.parse_state import MANY, ParseState, thing_at
 from sim2reason.text.parsing.string_routes import InnerRoute
-from sim2reason.text.parsing.tables import parse_table
+from sim2reason.text.parsing.tokens import parse_table
 
 Step = Callable[[int, ParseState], Iterator[tuple[int, ParseState]]]
 """From a piece of the text and what was read before it, to all that can be read from there on."""

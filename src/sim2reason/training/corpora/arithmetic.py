@@ -1,4 +1,4 @@
-"""Problems with their solutions as arithmetic, some with slips: for models too small to learn prose."""
+"""Corpora of arithmetic and of drills."""
 
 from collections import Counter
 from collections.abc import Callable, Iterator
@@ -8,19 +8,18 @@ import numpy as np
 from annotated_types import Ge, Le
 from pydantic import Field, field_validator
 
+from sim2reason.generation.certified import worked
 from sim2reason.generation.item_search import ItemSearch
 from sim2reason.generation.make import item_of
 from sim2reason.generation.random_scenes import generator
 from sim2reason.generation.request import Request
-from sim2reason.generation.worked_solutions import worked
 from sim2reason.training.corpora import CORPORA, Corpus, Row
 from sim2reason.training.corpora.parts.drawing import drawn_rows
-from sim2reason.training.corpora.parts.operations import Definitions, arithmetic
-from sim2reason.training.corpora.parts.renumbering import renumbered
-from sim2reason.training.corpora.parts.slips import SLIPS, slipped
+from sim2reason.training.corpora.parts.operations import Definitions, arithmetic, plain_number
+from sim2reason.training.corpora.parts.renumbering import SLIPS, renumbered, slipped
 from sim2reason.training.sources.fresh import Fresh, fingerprint
 
-__all__ = ["Arithmetic"]
+__all__ = ["Arithmetic", "Drills"]
 
 Share = Annotated[float, Ge(0.0), Le(1.0)]
 
@@ -79,3 +78,33 @@ class Arithmetic(Corpus):
 def _answer(text: str) -> str:
     """Return what stands in the box."""
     return text.rpartition("\n")[2]
+
+
+PROMPT = "Operations:"
+SHARES = {"*": 0.5, "+": 0.1, "-": 0.1, "/": 0.3}
+
+
+@CORPORA.register("drills")
+class Drills(Corpus):
+    """Operations with three-digit results, as solutions written as arithmetic have them; no problem comes before."""
+
+    seed: Annotated[int, Ge(0)] = 0
+    items: Annotated[int, Ge(1), Le(10**7)] = 10_000
+    operations: Annotated[int, Ge(1), Le(100)] = 10
+    """In one row."""
+
+    def rows(self, left_out: Counter[str]) -> Iterator[Row]:
+        """Yield all of them."""
+        del left_out
+        rng = generator("drills", self.seed)
+        for _ in range(self.items):
+            yield Row(PROMPT, "; ".join(_operation(rng) for _ in range(self.operations)))
+
+
+def _operation(rng: np.random.Generator) -> str:
+    """Return one operation on numbers about one, as mechanics in the units of the SI has them."""
+    sign = str(rng.choice(list(SHARES), p=list(SHARES.values())))
+    first = float(plain_number(10.0 ** rng.uniform(-0.8, 1.0)))
+    second = float(f"{10.0 ** rng.uniform(-1.2, 1.0):.{2 if sign == '*' else 3}g}")
+    result = {"*": first * second, "+": first + second, "-": first - second, "/": first / second}[sign]
+    return f"{plain_number(first)}{sign}{second:g}={plain_number(result)}"

@@ -10,11 +10,11 @@ from pydantic import model_validator
 
 from sim2reason.datasets.dataset import Dataset
 from sim2reason.errors import TrainingError
+from sim2reason.generation.certified import worked
 from sim2reason.generation.item import Item
 from sim2reason.generation.item_search import ItemSearch
 from sim2reason.generation.make import item_of
 from sim2reason.generation.request import Request
-from sim2reason.generation.worked_solutions import worked
 from sim2reason.training.corpora import CORPORA, Corpus, Row
 from sim2reason.training.corpora.parts.drawing import drawn_rows
 from sim2reason.training.sources.fresh import Fresh, fingerprint

@@ -16,8 +16,8 @@ from typing import Any, TypeAlias
 from sim2reason.errors import TrainingError
 from sim2reason.training.extras import library
 from sim2reason.training.gspo.batches import Group, cut, filler, join, moved
-from sim2reason.training.gspo.callbacks import BetweenUpdates
-from sim2reason.training.gspo.checkpoints import (
+from sim2reason.training.gspo.callbacks import (
+    BetweenUpdates,
     Cursor,
     clear_behind,
     folder_of,
@@ -26,8 +26,7 @@ from sim2reason.training.gspo.checkpoints import (
     read_cursor,
     unmark,
 )
-from sim2reason.training.gspo.logprobs import score
-from sim2reason.training.gspo.rollouts import Rollouts
+from sim2reason.training.gspo.rollouts import Rollouts, score
 from sim2reason.training.gspo.sampling import Answered, Filled, Meter, Place, balance, collapse, fill
 from sim2reason.training.gspo.settings import Drawn, GSPOSettings, PromptStream, Row, draw
 from sim2reason.training.gspo.step_log import StepLog

@@ -21,7 +21,7 @@ from sim2reason.evaluation.reports.evaluation import evaluate
 from sim2reason.evaluation.reports.markdown import table
 from sim2reason.evaluation.reports.results import Estimate, wilson
 from sim2reason.evaluation.reports.scores import scores_of
-from sim2reason.figures.training_plots import curves
+from sim2reason.figures.run_plots import curves
 from sim2reason.training.gspo.step_log import StepLog, StepRecord
 from sim2reason.training.processes import Advance, Begun
 from sim2reason.training.rl.config import ReinforcementLearning

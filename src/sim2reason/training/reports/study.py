@@ -18,7 +18,7 @@ from sim2reason.evaluation.benchmarks.own import Saved
 from sim2reason.evaluation.reports.markdown import table
 from sim2reason.evaluation.reports.results import Estimate, difference, mean_of_items
 from sim2reason.evaluation.reports.scores import scores_of
-from sim2reason.figures.training_plots import curves
+from sim2reason.figures.run_plots import curves
 from sim2reason.training.gspo.step_log import StepLog
 from sim2reason.training.reports.held_out import (
     AFTER,

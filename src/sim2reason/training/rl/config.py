@@ -9,10 +9,9 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, SerializeAsAny, mod
 
 from sim2reason.base.settings import configuration, each_of
 from sim2reason.errors import TrainingError
-from sim2reason.training.curriculum import Curriculum
 from sim2reason.training.gspo.settings import GSPOSettings
 from sim2reason.training.models import MODELS, ModelSettings, model_given
-from sim2reason.training.problem_stream import ProblemStream
+from sim2reason.training.problem_stream import Curriculum, ProblemStream
 from sim2reason.training.rewards import REWARDS, Reward, reward_from
 from sim2reason.training.sft.config import FineTuning, fine_tuning_from
 from sim2reason.training.sources import SOURCES, ProblemSource, source_from

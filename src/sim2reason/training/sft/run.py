@@ -11,8 +11,7 @@ from pathlib import Path
 from sim2reason.base.atomic_files import working_in
 from sim2reason.errors import TrainingError
 from sim2reason.training.corpora import Row
-from sim2reason.training.corpora.parts.encoding import Limits, encoded_table
-from sim2reason.training.corpora.parts.mix import counted
+from sim2reason.training.corpora.parts.mix import Limits, counted, encoded_table
 from sim2reason.training.extras import External, library, quiet, require, without_cudnn_attention
 from sim2reason.training.models import Loaded, spoken_to
 from sim2reason.training.models.parts.checkpoint import context_of

@@ -9,15 +9,12 @@ from pydantic import Field, field_validator, model_validator
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.base.settings import held_to
-from sim2reason.datasets.chosen import Chosen
-from sim2reason.datasets.names import difficulties_named, modes_named, recipes_named
-from sim2reason.datasets.plan import Config
-from sim2reason.datasets.variants import variant
+from sim2reason.datasets.duplicates import variant
+from sim2reason.datasets.plan import Chosen, Config, difficulties_named, modes_named, recipes_named
 from sim2reason.evaluation.benchmarks.own import benchmark_item
 from sim2reason.generation.item import Item
 from sim2reason.generation.make import make
-from sim2reason.generation.request import LARGEST, SI, Request
-from sim2reason.generation.weights import check
+from sim2reason.generation.request import LARGEST, SI, Request, check
 from sim2reason.questions import KINDS
 from sim2reason.questions.spoken_units import system_named
 from sim2reason.simulation.quantities import QUANTITIES

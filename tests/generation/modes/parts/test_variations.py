@@ -10,7 +10,7 @@ from sim2reason.generation.modes.parts.variations import Variations
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.questions import Query
 from sim2reason.questions.moments.times import AtStart
-from sim2reason.questions.targets import Target
+from sim2reason.questions.query import Target
 
 
 def test_an_acute_angle_is_tried_as_an_obtuse_one_too() -> None:

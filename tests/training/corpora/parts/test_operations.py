@@ -9,13 +9,12 @@ import pytest
 
 from sim2reason.datasets.grade import grade
 from sim2reason.datasets.items import made, requested
+from sim2reason.generation.certified import worked
 from sim2reason.generation.recipes import RECIPES
-from sim2reason.generation.worked_solutions import worked
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.solution import Condition, Coordinate, Integration
 from sim2reason.training.corpora.parts.operations import arithmetic, definitions, given, plain_number
-from sim2reason.training.corpora.parts.renumbering import renumbered
-from sim2reason.training.corpora.parts.slips import SLIPS, slipped
+from sim2reason.training.corpora.parts.renumbering import SLIPS, renumbered, slipped
 
 ROLLING = requested("rolling", "easy", "numeric", 79, 8, {"state": 100.0}, "SI")
 

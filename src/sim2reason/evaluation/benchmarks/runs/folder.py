@@ -14,7 +14,7 @@ from sim2reason.evaluation.benchmarks import BENCHMARKS, Benchmark, BenchmarkIte
 from sim2reason.evaluation.benchmarks.runs.config import Evaluation
 from sim2reason.evaluation.benchmarks.scoring import SCORINGS
 from sim2reason.evaluation.policies import POLICIES, Policy
-from sim2reason.generation.made import SHAPING
+from sim2reason.generation.request import SHAPING
 
 __all__ = ["BenchmarkPlan", "PolicyPlan", "RunFolder", "RunRecord", "copy_answers"]
 

@@ -11,18 +11,16 @@ from sim2reason.evaluation.benchmarks.scoring import SCORINGS, Award, Reference,
 from sim2reason.evaluation.benchmarks.scoring.parts.answers import (
     boxes,
     chosen,
+    equal_expressions,
+    equivalent_equations,
     in_box,
+    is_equation,
+    name_of,
     parts,
     read,
     said_without_box,
-    unit_or_none,
-)
-from sim2reason.evaluation.benchmarks.scoring.parts.expressions import (
-    equal_expressions,
-    equivalent_equations,
-    is_equation,
-    name_of,
     same_text,
+    unit_or_none,
 )
 from sim2reason.evaluation.benchmarks.scoring.parts.matching import paired
 from sim2reason.grading import number

@@ -5,11 +5,14 @@ from typing import Final, cast
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.evaluation.benchmarks.scoring import SCORINGS, Award, Reference, Scoring
-from sim2reason.evaluation.benchmarks.scoring.parts.answers import agrees, boxes, in_box, read
-from sim2reason.evaluation.benchmarks.scoring.parts.expressions import (
+from sim2reason.evaluation.benchmarks.scoring.parts.answers import (
+    agrees,
+    boxes,
     equal_expressions,
     equivalent_equations,
+    in_box,
     is_equation,
+    read,
     same_text,
 )
 from sim2reason.evaluation.benchmarks.scoring.parts.killable import Killable

@@ -1,13 +1,95 @@
-"""One request over HTTP, bounded in time and size; it follows no redirection, which could carry a key elsewhere."""
+"""HTTP requests of bounded time and size, their retries, and the key that they carry."""
 
+import os
+import re
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass
 from http.client import HTTPException, HTTPResponse
+from random import Random
 from typing import Final
+from urllib.parse import quote
 from urllib.request import HTTPErrorProcessor, Request, build_opener
 
-__all__ = ["NoReply", "Reply", "post"]
+from pydantic import JsonValue
+
+from sim2reason.errors import PolicyError
+
+__all__ = ["PRINTABLE", "VARIABLE", "NoReply", "Reply", "Secret", "delay", "from_environment", "post"]
+
+FIRST, LONGEST, ASKED = 1.0, 60.0, 300.0  # s: the first wait, the longest of ours, the longest that a server may ask
+WORTH_IT: Final = 2.0  # the factor from one wait to the next
+
+
+def delay(attempt: int, seed: int, asked: float | None = None) -> float:
+    """Seconds to wait after the `attempt`-th failure, counted from zero.
+
+    It doubles up to a minute, less a part of up to a half that hangs on `seed` and `attempt` alone; at least as long
+    as the server `asked`, up to five minutes.
+    """
+    most = min(FIRST * WORTH_IT ** min(attempt, 30), LONGEST)
+    share = Random(f"{seed}:{attempt}").uniform(0.5, 1.0)  # noqa: S311 - spreads requests, guards nothing
+    return max(most * share, min(asked or 0.0, ASKED))
+
+
+VARIABLE: Final = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,79}")
+HIDDEN: Final = "***"
+PRINTABLE: Final = re.compile(r"[!-~]+")
+"""What a header and an address may have: no blanks, and no letters beyond ASCII."""
+
+
+class Secret:
+    """A text that no representation shows; empty where no key is needed."""
+
+    __slots__ = ("_text",)
+
+    def __init__(self, text: str = "") -> None:
+        """Keep `text`."""
+        self._text = text
+
+    def __repr__(self) -> str:
+        """Tell nothing: locals of a traceback are shown so."""
+        return f"Secret({HIDDEN})"
+
+    def headers(self) -> dict[str, str]:
+        """Return the header that carries the key, if there is one."""
+        return {"Authorization": f"Bearer {self._text}"} if self._text else {}
+
+    def hidden(self, text: str) -> str:
+        """`text` with the key made unreadable wherever it stands, also as an address would spell it."""
+        for spelling in self._spellings:
+            text = text.replace(spelling, HIDDEN)
+        return text
+
+    def stands_in(self, value: JsonValue) -> bool:
+        """Return whether the key stands anywhere in a text, or in the texts and names of a list or an object."""
+        match value:
+            case str():
+                return any(spelling in value for spelling in self._spellings)
+            case list():
+                return any(map(self.stands_in, value))
+            case dict():
+                return any(self.stands_in(name) or self.stands_in(each) for name, each in value.items())
+            case _:
+                return False
+
+    @property
+    def _spellings(self) -> set[str]:
+        """As it is, and as an address would have it."""
+        return {self._text, quote(self._text, safe="")} - {""}
+
+
+def from_environment(variable: str | None, environment: Mapping[str, str] = os.environ) -> Secret:
+    """Return the key that the variable holds; PolicyError, which names the variable alone, if none could be sent."""
+    if variable is None:
+        return Secret()
+    key = environment.get(variable, "").strip()
+    if not key:
+        raise PolicyError(f"the environment variable {variable} holds no key; set it, or leave key_from out")
+    if not PRINTABLE.fullmatch(key):  # else http.client would show it in its complaint
+        raise PolicyError(f"the key in the environment variable {variable} has blanks or signs that no header may have")
+    return Secret(key)
+
 
 MAX_BODY: Final = 64 * 2**20
 CHUNK: Final = 2**16

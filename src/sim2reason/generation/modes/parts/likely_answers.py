@@ -7,7 +7,7 @@ from sim2reason.questions import KINDS, Query, Study, Words
 from sim2reason.solutions.algebra.expressions import Expression
 from sim2reason.solutions.closed_forms import ClosedFormError, put_together
 from sim2reason.solutions.derivation import derivation
-from sim2reason.text.prose.formula_numbers import factor
+from sim2reason.text.prose.symbol_names import factor
 
 
 def likely_answers(query: Query, study: Study, words: Words, path: str) -> Callable[[float], float] | None:

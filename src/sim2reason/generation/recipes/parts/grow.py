@@ -19,6 +19,7 @@ from sim2reason.generation.recipes.parts.open_ports import (
     takes,
 )
 from sim2reason.scenes.dsl.ablation import is_weightless, stuck_bodies
+from sim2reason.scenes.dsl.addresses import vacated
 from sim2reason.scenes.dsl.builder import Builder
 from sim2reason.scenes.dsl.connection import CONNECTIONS, Connection, Joint, Link
 from sim2reason.scenes.dsl.entity import ENTITIES, Named
@@ -27,7 +28,6 @@ from sim2reason.scenes.dsl.mechanism import GRAVITY
 from sim2reason.scenes.dsl.model import Choice, draw
 from sim2reason.scenes.dsl.ports import Pass, Stop, StringEnd
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.dsl.vacancies import vacated
 from sim2reason.text.prose.description import draft, written
 
 LEVEL = 1e-9  # of a direction, or m: less is rounding

@@ -8,11 +8,10 @@ import numpy as np
 from pydantic import ValidationError
 
 from sim2reason.errors import SceneError
-from sim2reason.scenes.dsl.addresses import changed
+from sim2reason.scenes.dsl.addresses import changed, vacated
 from sim2reason.scenes.dsl.entity import ENTITIES, Named
 from sim2reason.scenes.dsl.model import Choice, Choices, Model, Parameter, draw, parameters
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.dsl.vacancies import vacated
 
 FACTORS, TURNS = (2.0, 0.5), (10.0, -10.0)  # a number is halved and doubled, an angle in degrees turned either way
 LEAST = 0.12  # of a response: less may move a speed, which goes with a root, by less than its tolerance

@@ -11,9 +11,8 @@ from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.bounces import Bounced
 from sim2reason.questions.moments.collisions import Collided
 from sim2reason.questions.quadrature import integral
-from sim2reason.questions.spoken import ordinal
 from sim2reason.questions.study import Study
-from sim2reason.questions.words import Words
+from sim2reason.questions.words import Words, ordinal
 from sim2reason.scenes.dsl.mechanism import Inextensible, Mechanism, Prop, Rigid
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.channels import Channel

@@ -12,9 +12,8 @@ from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.kinds import KINDS, Kind
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.times import AtTime
-from sim2reason.questions.query import Query
+from sim2reason.questions.query import Noun, Query, Targets
 from sim2reason.questions.study import BEYOND, SHORTEST, Study
-from sim2reason.questions.targets import Noun, Targets
 from sim2reason.questions.words import Words
 from sim2reason.simulation.certify import witnessed
 from sim2reason.simulation.channels import Channel

@@ -9,8 +9,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from sim2reason.questions.choices import has_formula_of_time
-from sim2reason.questions.constancy import hangs_on
+from sim2reason.questions.choices import hangs_on, has_formula_of_time
 from sim2reason.questions.doubt import doubt
 from sim2reason.questions.functionals import FUNCTIONALS, Functional
 from sim2reason.questions.functionals.parts.extreme import PLACELESS
@@ -19,10 +18,9 @@ from sim2reason.questions.moments import Happening, Moment
 from sim2reason.questions.moments.parts.reached import moment_of
 from sim2reason.questions.moments.times import AtTime, WholeMotion
 from sim2reason.questions.phrasing import again, asking
-from sim2reason.questions.query import Query
+from sim2reason.questions.query import Noun, Query, Target, Targets
 from sim2reason.questions.structured import StructuredQuestion, resolved
 from sim2reason.questions.study import Study
-from sim2reason.questions.targets import Noun, Target, Targets
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.certify import Certificate

@@ -1,4 +1,4 @@
-"""Moments that are events of the engines."""
+"""Moments that are events of the engines, with their verbs."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -7,13 +7,71 @@ from typing import ClassVar, Self
 
 import numpy as np
 
-from sim2reason.questions.moments import Clause
-from sim2reason.questions.moments.parts.verbs import VerbHappening
-from sim2reason.questions.spoken import numbers_of
+from sim2reason.questions.choices import STILL, still
+from sim2reason.questions.moments import Clause, Happening
 from sim2reason.questions.study import Study
-from sim2reason.questions.words import Words
+from sim2reason.questions.words import Words, numbers_of, ordinal
+from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.quantities.subjects import Subject
+from sim2reason.simulation.quantities.subjects.contacts import Contacts
 from sim2reason.simulation.trace import Event, Trace
+
+
+def when_phrases(statement: str) -> tuple[str, str, str]:
+    """Return the phrases for the moment of a statement, as in *when it stops* and *at the moment when it stops*."""
+    return f"when {statement}", f"at the moment when {statement}", f"at the instant at which {statement}"
+
+
+@dataclass(frozen=True, slots=True)
+class Verb:
+    """What a subject does, as a statement and as a question: *goes slack*, *does … go slack*."""
+
+    told: str
+    asked: str
+    auxiliary: str = "does"
+
+    def phrases(self, subject: str, number: int | None) -> tuple[str, ...]:
+        """*When …*; `number` counts the times, None is for what can happen but once."""
+        if number == 1:
+            first = f"{subject} first {self.told}"
+            return (f"when {first}", f"at the moment when {first}", f"when {self._counted(subject, 1)}")
+        happens = f"{subject} {self.told}" if number is None else self._counted(subject, number)
+        return when_phrases(happens)
+
+    def sided(self, subject: str, number: int | None, *, after: bool) -> tuple[str, ...]:
+        """*Just before …* or *just after …*; `number` is None for what can happen but once."""
+        side = "after" if after else "before"
+        again = f"{subject} {self.told}" if number is None else self._counted(subject, number)
+        return (
+            f"just {side} {subject} first {self.told}" if number == 1 else f"at the moment just {side} {again}",
+            f"just {side} {again}",
+            f"immediately {side} {again}",
+        )
+
+    def clause(self, subject: str, number: int | None) -> Clause:
+        """For *how long after …*."""
+        if number == 1:
+            return Clause(subject, self.auxiliary, f"first {self.asked}", f"first {self.told}")
+        times = "" if number is None else f" for the {ordinal(number)} time"
+        return Clause(subject, self.auxiliary, self.asked + times, self.told + times)
+
+    def _counted(self, subject: str, number: int) -> str:
+        return f"{subject} {self.told} for the {ordinal(number)} time"
+
+
+class VerbHappening(Happening):
+    """Something that happens to a subject, told by a verb.
+
+    Class data:
+        verb: what the subject does.
+    """
+
+    verb: ClassVar[Verb]
+
+    def does(self, words: Words) -> Verb:
+        """Return what it does, as a text says it."""
+        del words
+        return self.verb
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,3 +197,31 @@ class VelocityJump(Occurrence):
             f"between {words.since} and the moment {after}",
             f"in the time from {words.since} to the moment {after}",
         )
+
+
+@dataclass(frozen=True, slots=True)
+class SlipChange(Occurrence):
+    """A change between sticking and slipping on a face."""
+
+    own = True
+    of = Contacts()
+
+    def slipped(self, event: Event, trace: Trace) -> bool:
+        """Return whether the body slips until shortly before an event; what only turns back does, too."""
+        slips = np.abs(slip(trace.scan, self.name))
+        before = slips[trace.scan.times < event.time - STILL * trace.scan.times[-1]]
+        return len(before) > 0 and float(before[-1]) > still(trace, slips)
+
+
+def slip(state: State, name: str) -> Array:
+    """Return the velocity with which a body slips on its face, m/s, (n,)."""
+    mechanism = state.mechanism
+    total = np.zeros(len(state.times))
+    for coordinate, factor in mechanism.contacts[name].slip:
+        total = total + factor * state.v[:, mechanism.number[coordinate]]
+    return total
+
+
+def rolls(words: Words, name: str) -> bool:
+    """Return whether a body rolls on its face rather than slides: it may turn there."""
+    return len(words.mechanism.contacts[name].slip) > 1

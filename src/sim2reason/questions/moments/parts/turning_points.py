@@ -1,4 +1,4 @@
-"""Moments at which a quantity is greatest or least, on the engine's own steps."""
+"""Turning points of a quantity on the engine's steps, and tests for free motion."""
 
 from abc import abstractmethod
 from dataclasses import dataclass, replace
@@ -8,11 +8,12 @@ from typing import ClassVar, Self
 import numpy as np
 
 from sim2reason.questions.crossing import begins_beyond, crossings, jumps
+from sim2reason.questions.moments.parts.occurrence import Verb
 from sim2reason.questions.moments.parts.passage import Passage
-from sim2reason.questions.moments.parts.verbs import Verb
 from sim2reason.questions.words import Words
-from sim2reason.scenes.dsl.mechanism import Elastic
+from sim2reason.scenes.dsl.mechanism import Coordinate, Elastic, Mechanism, Meeting, Prop
 from sim2reason.scenes.dsl.state import Array, State
+from sim2reason.scenes.dsl.vectors import inner
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.simulation.quantities.kinematics import Velocity
@@ -21,8 +22,61 @@ from sim2reason.simulation.quantities.springs import Extension, ExtensionRate
 from sim2reason.simulation.quantities.subjects.bodies import Bodies, moves
 from sim2reason.simulation.quantities.subjects.lines import Springs
 from sim2reason.simulation.quantities.subjects.pairs import Pairs, members
-from sim2reason.simulation.quantities.subjects.paths import center_path
+from sim2reason.simulation.quantities.subjects.paths import EVEN, center_path, parallel
 from sim2reason.simulation.trace import Trace
+
+
+def moves_freely(mechanism: Mechanism) -> bool:
+    """Return whether nothing but contacts without friction acts between collisions, on bodies that do not turn."""
+    acts = (mechanism.lines, mechanism.forces, mechanism.attractions, mechanism.burns, mechanism.feet)
+    rubs = any(face.friction > 0.0 for face in mechanism.faces)
+    return not any(acts) and not rubs and all(c.kind == "slide" for c in mechanism.coordinates)
+
+
+def meets_once(mechanism: Mechanism) -> bool:
+    """Return whether at most one collision can happen: of two bodies that move freely along the same directions.
+
+    What accelerates them is the same for both, so that they never come together again.
+    """
+    if len(mechanism.meetings) != 1 or len(mechanism.meetings[0].names) != 2 or not moves_freely(mechanism):
+        return False
+    one, other = ([c.axis for c in mechanism.body[name].coordinates] for name in mechanism.meetings[0].names)
+    return len(one) == len(other) and all(map(parallel, one, other))
+
+
+def goes_straight_up(mechanism: Mechanism, name: str) -> bool:
+    """Return whether a body that nothing guides starts straight up: sent off so, or driven from the ground."""
+    body = mechanism.body[name]
+    lines = (line for line in mechanism.lines if not isinstance(line.law, Prop))
+    tied = {mechanism.site[site].body for line in lines for site in line.through}
+    struck = any(name in meeting.names and not _is_ground(meeting) for meeting in mechanism.meetings)
+    pushed = any(force.body == name for force in mechanism.forces)
+    if body.parent or name in mechanism.contacts or name in tied or struck or pushed:
+        return False
+    moved = [c for c in body.coordinates if c.speed or abs(c.axis[2]) > EVEN or len(body.coordinates) == 1]
+    if len(moved) != 1 or any(c.kind != "slide" for c in body.coordinates):
+        return False
+    return _is_thrown(mechanism, moved[0]) or _takes_off(mechanism, moved[0])
+
+
+def _is_ground(meeting: Meeting) -> bool:
+    """Return whether a body bounces off the room below it."""
+    return meeting.a is None and meeting.normal is not None and meeting.normal[2] > 1.0 - EVEN
+
+
+def _is_thrown(mechanism: Mechanism, way: Coordinate) -> bool:
+    """Return whether a body moves against gravity at the start, and burns nothing."""
+    burns = any(burn.body == way.body for burn in mechanism.burns)
+    against = parallel(way.axis, (0.0, 0.0, 1.0)) and inner(way.axis, mechanism.gravity) * way.speed < 0.0
+    return against and not burns and not mechanism.attractions
+
+
+def _takes_off(mechanism: Mechanism, way: Coordinate) -> bool:
+    """Return whether a body is driven away from the ground on which it stands, the limit of its coordinate."""
+    drives = [burn.direction for burn in mechanism.burns if burn.body == way.body]
+    stands = (way.lower, way.upper, way.speed) == (0.0, inf, 0.0)
+    return stands and bool(drives) and all(inner(way.axis, drive) > 0.0 for drive in drives)
+
 
 SAME = 1e-6  # of the way between its least and its greatest value
 

@@ -8,10 +8,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sim2reason.questions.derived_numbers import derived_numbers, with_number
 from sim2reason.questions.ordinary.hearing import ALL
 from sim2reason.questions.ordinary.vocabulary import GROUNDS
 from sim2reason.questions.study import Study
+from sim2reason.questions.unknown import derived_numbers, with_number
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.model import Parameter
 from sim2reason.scenes.dsl.scene import Scene

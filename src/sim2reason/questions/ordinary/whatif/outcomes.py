@@ -6,9 +6,8 @@ from math import inf, isclose
 import numpy as np
 
 from sim2reason.errors import TextError
-from sim2reason.questions.derived_numbers import number_at, with_number
 from sim2reason.questions.following import FollowedMotion, motion_of
-from sim2reason.questions.moments.parts.slip_change import rolls
+from sim2reason.questions.moments.parts.occurrence import rolls
 from sim2reason.questions.ordinary.hearing import ALL
 from sim2reason.questions.ordinary.reading import Reading, Understood
 from sim2reason.questions.ordinary.wanted import rubs, without_acceleration
@@ -41,9 +40,9 @@ from sim2reason.questions.ordinary.whatif.numbers import NamedNumber, paths_of
 from sim2reason.questions.ordinary.whens import AFTER, addresses
 from sim2reason.questions.outcomes.strings import Rises
 from sim2reason.questions.posing import GREATEST, LEAST, VALUE, posed
+from sim2reason.questions.query import OWN_AXLE, OWN_PATH
 from sim2reason.questions.structured import START, StructuredQuestion, measured
-from sim2reason.questions.targets import OWN_AXLE, OWN_PATH
-from sim2reason.questions.unknown import limits_of
+from sim2reason.questions.unknown import limits_of, number_at, with_number
 from sim2reason.questions.words import Words
 from sim2reason.simulation.quantities.kinematics import Acceleration, Velocity
 from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies

@@ -4,12 +4,12 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from sim2reason.questions.derived_numbers import number_at
 from sim2reason.questions.following import FollowedMotion
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.vocabulary import GROUNDS
 from sim2reason.questions.ordinary.whatif.frames import WantedFrame
 from sim2reason.questions.ordinary.whatif.numbers import NUMBERS
+from sim2reason.questions.unknown import number_at
 
 _NOUNS = "|".join(kind.nouns for name, kind in NUMBERS.items() if name != "motion at start")
 _NUMBER = rf"(?:@\d+@ 's |its )?(?:{_NOUNS})(?: of @\d+@| between @\d+@ and (?:@\d+@|{GROUNDS}))?"

@@ -11,9 +11,8 @@ from sim2reason.questions.following import FollowedMotion, motion_of
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.reading import Reader, Understood
 from sim2reason.questions.posing import VALUE, posed
-from sim2reason.questions.removal import FIELDS, removable
 from sim2reason.questions.structured import StructuredQuestion, measured
-from sim2reason.questions.variation import SceneChange, words_in
+from sim2reason.questions.variation import FIELDS, SceneChange, removable, words_in
 from sim2reason.questions.words import Words
 from sim2reason.simulation.quantities.kinematics import Velocity
 from sim2reason.simulation.quantities.subjects.bodies import Bodies

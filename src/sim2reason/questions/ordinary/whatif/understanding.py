@@ -6,7 +6,6 @@ from dataclasses import replace
 from math import isclose
 
 from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
-from sim2reason.questions.derived_numbers import number_at
 from sim2reason.questions.following import Followed, FollowedMotion, motion_of
 from sim2reason.questions.ordinary.hearing import Heard
 from sim2reason.questions.ordinary.reading import Reader, Understood
@@ -17,7 +16,7 @@ from sim2reason.questions.ordinary.whens import addresses
 from sim2reason.questions.posing import RATIO
 from sim2reason.questions.posing import VALUE as ITSELF
 from sim2reason.questions.structured import measured
-from sim2reason.questions.unknown import limits_of
+from sim2reason.questions.unknown import limits_of, number_at
 from sim2reason.questions.variation import SceneChange, units_of, words_in
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.scene import Scene

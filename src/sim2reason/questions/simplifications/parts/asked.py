@@ -1,8 +1,15 @@
-"""How much of a motion a query is about."""
+"""Extent of the motion that a query is about, and motion under constant forces."""
+
+from collections.abc import Callable
+
+import numpy as np
 
 from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.query import Query
 from sim2reason.questions.study import Study
+from sim2reason.scenes.dsl.constancy import changing
+from sim2reason.scenes.dsl.state import Array, Dynamics, State
+from sim2reason.simulation.trace import Trace, happened
 
 
 def asked_until(query: Query, study: Study) -> float:
@@ -14,3 +21,34 @@ def asked_until(query: Query, study: Study) -> float:
 def asked_name(query: Query) -> str:
     """Return what is asked for: the name of a quantity or of a functional, as that of an item's answer."""
     return KINDS[query.kind].measured(query).name
+
+
+Formulas = Callable[[Array, Array, Array], tuple[Array, Array]]
+"""Coordinates and their rates from times (n, 1), rates and accelerations of the start (1, n)."""
+
+
+def is_steady(query: Query, study: Study) -> bool:
+    """Return whether what is let go moves with constant accelerations as long as is asked about."""
+    if any(coordinate.speed for coordinate in study.mechanism.coordinates):
+        return False
+    return not happened(study.trace.events, asked_until(query, study)) and not changing(study.mechanism)
+
+
+def with_formulas(trace: Trace, formulas: Formulas) -> Trace:
+    """Return a motion that goes on by some formulas with the accelerations and forces that it has at the start."""
+    first = trace.sample(np.zeros(1))
+
+    def sample(times: Array) -> State:
+        repeated = np.zeros(len(times), dtype=int)
+        moved, rates = formulas(times[:, None], first.v, first.a)
+        dynamics = Dynamics(
+            first.a[repeated],
+            {name: values[repeated] for name, values in first.constraint_tension.items()},
+            {name: values[repeated] for name, values in first.normal.items()},
+            {name: values[repeated] for name, values in first.friction.items()},
+        )
+        return State.of(first.mechanism, times, (first.q + moved, rates), dynamics)
+
+    times = trace.state.times
+    end = float(times[-1])
+    return Trace(trace.engine, sample(times), (), end, "", sample, lambda: np.array([0.0, end]))

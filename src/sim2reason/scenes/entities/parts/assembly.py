@@ -1,4 +1,4 @@
-"""Rigid bodies that turn about a horizontal axle: pieces welded to a light arm."""
+"""Assemblies of rigid bodies on an axle, and bodies that swing."""
 
 from itertools import combinations
 from math import cos, pi, radians, sin, sqrt
@@ -30,9 +30,33 @@ from sim2reason.scenes.dsl.solids import Axes, composed
 from sim2reason.scenes.dsl.template import Saying
 from sim2reason.scenes.entities.parts.pieces import AnyPiece, TiltedPiece, WeldedPiece
 
-Deflection = Annotated[float, Ge(0), Le(175), Measure("deflection", "deg", r"\theta", decimals=0), Range(5.0, 90.0)]
+PendulumDeflection = Annotated[
+    float, Ge(0), Le(180), Measure("deflection", "deg", r"\theta", decimals=0), Range(10.0, 150.0)
+]
+TILTED = "an angle of {angle} with the downward vertical"
+AT_FIRST = placing("initially {start}.", "at the start {start}.", "to begin with, {start}.")
+SENT_OFF = starting(
+    "at t = 0 {bob} is set moving {sent} at speed {speed}.",
+    "at t = 0 {bob} starts moving {sent} at speed {speed}.",
+    "at t = 0 {bob} is launched {sent} with a speed of {speed}.",
+    topic="start",
+)
+PENDULUM_PERIODS = 1.5  # of a small swing that the motion is followed for
+
+
+def swings(length: float, gravity: float) -> float | None:
+    """Return how long, in s, to follow a bob that swings at a distance `length`, m, from a fixed point.
+
+    None if `gravity`, in m/s², is zero, since nothing swings then.
+    """
+    return PENDULUM_PERIODS * 2.0 * pi * sqrt(length / gravity) if gravity else None
+
+
+AssemblyDeflection = Annotated[
+    float, Ge(0), Le(175), Measure("deflection", "deg", r"\theta", decimals=0), Range(5.0, 90.0)
+]
 TurnRate = Annotated[AngularVelocity, Range(0.5, 4.0)]
-PERIODS, LONGEST = 1.5, 6.0  # of a small swing that the motion is followed for, and s
+ASSEMBLY_PERIODS, LONGEST = 1.5, 6.0  # of a small swing that the motion is followed for, and s
 
 
 class WeldedArm(Entity):
@@ -41,7 +65,7 @@ class WeldedArm(Entity):
     arm: Arm = Arm()
     pieces: Annotated[tuple[AnyPiece, ...], Len(1, 4), Count(1, 3)]
     reach: Annotated[Length, Range(0.5, 1.5)] | None = None
-    angle: Deflection
+    angle: AssemblyDeflection
     rate: TurnRate | None = None
 
     words: ClassVar[dict[str, Word]] = {
@@ -98,7 +122,7 @@ class WeldedArm(Entity):
             inertia += solid.inertia(mass)[1] + mass * (arm[0] ** 2 + arm[2] ** 2)
             moment += mass * arm[0]
         longest = LONGEST * sqrt(GRAVITY / gravity)
-        return min(longest, PERIODS * 2.0 * pi * sqrt(inertia / (gravity * max(abs(moment), 1e-9))))
+        return min(longest, ASSEMBLY_PERIODS * 2.0 * pi * sqrt(inertia / (gravity * max(abs(moment), 1e-9))))
 
     def build(self, room: Frame) -> None:
         """A massless arm on a hinge; the pieces are welded to it, each with its own mass, inertia and centre."""

@@ -1,10 +1,45 @@
-"""What entities with springs share: how a spring is strained at the start, how a body is struck, and dashpots."""
+"""Springs of entities, and their initial stretch."""
 
-from typing import Annotated, Literal, Self
+from collections.abc import Mapping
+from typing import Annotated, Any, Literal, Self
 
+import numpy as np
 from pydantic import model_validator
 
-from sim2reason.scenes.authoring import Chance, Member, Part, Range, Speed, Strain, Word, either, placing
+from sim2reason.scenes.authoring import (
+    GRAVITY,
+    Chance,
+    Length,
+    Member,
+    Part,
+    Range,
+    Speed,
+    Strain,
+    Word,
+    either,
+    placing,
+)
+from sim2reason.scenes.bodies.spring import Spring
+from sim2reason.scenes.dsl.model import as_said, rebuilt
+
+LONG = Range(0.85, 1.15)  # times its natural length that a drawn spring is long at the start
+FIRM = Range(6.0, 15.0)  # times the weight of the block that would stretch it to twice its length
+SHORTEST = 0.3  # m, by itself
+StartLength = Annotated[Length, Range(0.2, 1.0)]
+START_LENGTH_SENTENCE = placing(
+    "initially {spring} has a length of {start}.",
+    "the length of {spring} at the start is {start}.",
+    "the initial length of {spring} is {start}.",
+)
+
+
+def fitted_spring(drawn: Mapping[str, Any], rng: np.random.Generator) -> dict[str, object]:
+    """Return a `spring` that the weight of the drawn `block` changes little, and a `start` near its natural length."""
+    spring, weight = drawn["spring"], GRAVITY * drawn["block"].mass
+    length = max(spring.length, SHORTEST)
+    stiffness = max(spring.stiffness, rng.uniform(FIRM.low, FIRM.high) * weight / length)
+    firm = rebuilt(spring, stiffness=as_said(Spring, "stiffness", stiffness), length=length)
+    return {"spring": firm, "start": as_said(Spring, "length", rng.uniform(LONG.low, LONG.high) * length)}
 
 
 class Strained(Part):
@@ -51,6 +86,6 @@ STRAINED = Word(
     {0.0: "{springs:the spring is/all springs are} relaxed"},
     "{strain.spring>springs} is {strain.way} by {strain.by}{springs:/ and the other spring is relaxed/ and the other springs are relaxed}",
 )
-"""How an entity with `springs` tells which of them has a `strain`: its word *strained*, which `AT_FIRST` uses."""
+"""How an entity with `springs` tells which of them has a `strain`: its word *strained*, which `STRAIN_SENTENCE` uses."""
 
-AT_FIRST = placing("initially {strained}.", "at the start {strained}.", "at first {strained}.")
+STRAIN_SENTENCE = placing("initially {strained}.", "at the start {strained}.", "at first {strained}.")

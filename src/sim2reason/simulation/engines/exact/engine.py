@@ -6,11 +6,10 @@ from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.exact.balance import Balance
 from sim2reason.simulation.engines.exact.contact_modes import NoForcesError
-from sim2reason.simulation.engines.exact.event_log import BEGINS, STOPS, TIE
 from sim2reason.simulation.engines.exact.flow import Flow
 from sim2reason.simulation.engines.exact.glide import STILL, SteadyEquations, halt
 from sim2reason.simulation.engines.exact.margins import ENDS, Margin, StopReason
-from sim2reason.simulation.engines.exact.motion import Motion
+from sim2reason.simulation.engines.exact.motion import BEGINS, STOPS, TIE, Motion
 from sim2reason.simulation.engines.exact.settling import REST, Settling
 from sim2reason.simulation.engines.exact.system import Instant
 from sim2reason.simulation.trace import ENGINES, FINEST, Trace

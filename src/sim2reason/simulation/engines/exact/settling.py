@@ -6,13 +6,12 @@ from dataclasses import dataclass
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.simulation.engines.exact.balance import Balance, Demand, balance, lifted
 from sim2reason.simulation.engines.exact.contact_modes import search
-from sim2reason.simulation.engines.exact.event_log import EventLog
 from sim2reason.simulation.engines.exact.flow import Flow
 from sim2reason.simulation.engines.exact.formulas import CurvedEquations
 from sim2reason.simulation.engines.exact.glide import STILL, SteadyEquations
 from sim2reason.simulation.engines.exact.linear import Mode, Problem, RoughContact, Row, dot
 from sim2reason.simulation.engines.exact.margins import Margin
-from sim2reason.simulation.engines.exact.motion import Segment
+from sim2reason.simulation.engines.exact.motion import EventLog, Segment
 from sim2reason.simulation.engines.exact.system import TOUCHING, Instant, Near, System
 
 ROUNDING = 1e-9  # of the largest impulse or momentum: a face that pulls by less does not pull

@@ -1,17 +1,136 @@
-"""Several corpora as one: each row as often as its corpus weighs, in a random order that a seed decides."""
+"""Mixture of corpora, and the encoding of rows as tokens."""
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import islice
+from itertools import chain, islice
 
 import numpy as np
+import pyarrow as pa
 
 from sim2reason.errors import TrainingError
 from sim2reason.generation.random_scenes import generator
 from sim2reason.training.corpora import CORPORA, Corpus, Row
+from sim2reason.training.extras import External
 
-__all__ = ["MOST_ROWS", "Counted", "Mix", "counted", "mixed"]
+__all__ = [
+    "MOST_ROWS",
+    "Counted",
+    "EncodedRow",
+    "Limits",
+    "Mix",
+    "counted",
+    "encoded",
+    "encoded_table",
+    "mixed",
+    "templated",
+]
+
+# pyarrow ships no types:
+# pyright: reportMissingTypeStubs=false, reportUnknownMemberType=false, reportUnknownParameterType=false
+# pyright: reportUnknownVariableType=false, reportUnknownArgumentType=false
+
+
+IGNORED = -100  # the label of a token that no loss is computed of, as torch has it
+TOGETHER = 8192  # rows whose tokens are objects of Python at one time
+TOKENS = pa.list_(pa.int32())
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """How many tokens rows have at most."""
+
+    prompt: int
+    completion: int
+    """With the token that ends it."""
+    both: int
+    """Those of the model's context."""
+
+
+@dataclass(frozen=True, slots=True)
+class EncodedRow:
+    """A row in tokens."""
+
+    prompt: list[int]
+    completion: list[int]
+
+    @property
+    def tokens(self) -> list[int]:
+        """All of them."""
+        return self.prompt + self.completion
+
+    @property
+    def labels(self) -> list[int]:
+        """Of each token, which is ignored in the prompt."""
+        return [IGNORED] * len(self.prompt) + self.completion
+
+    def excess(self, limits: Limits) -> str:
+        """Return which limit it passes; empty if none."""
+        if len(self.prompt) > limits.prompt:
+            return "prompt too long"
+        if len(self.completion) > limits.completion:
+            return "completion too long"
+        return "longer than the context" if len(self.prompt) + len(self.completion) > limits.both else ""
+
+
+def encoded_table(
+    rows: Sequence[Row], tokenizer: External, limits: Limits, *, chat: bool
+) -> tuple[pa.Table, Counter[str]]:
+    """Return the rows within limits as trainers take them, and how many are beyond which.
+
+    The columns are `input_ids`, `labels`, both of tokens, and `length`, how many a row has.
+    """
+    left_out = Counter[str]()
+    schema = pa.schema({"input_ids": TOKENS, "labels": TOKENS, "length": pa.int32()})
+    slices = (encoded(rows[start : start + TOGETHER], tokenizer, chat=chat) for start in range(0, len(rows), TOGETHER))
+    return pa.Table.from_batches(_batches(slices, limits, left_out), schema), left_out
+
+
+def _batches(slices: Iterator[list[EncodedRow]], limits: Limits, left_out: Counter[str]) -> Iterator[pa.RecordBatch]:
+    for rows in slices:
+        excess = [row.excess(limits) for row in rows]
+        left_out.update(why for why in excess if why)
+        held = [row for row, why in zip(rows, excess, strict=True) if not why]
+        tokens, labels = _lists([row.tokens for row in held]), _lists([row.labels for row in held])
+        yield pa.record_batch({"input_ids": tokens, "labels": labels, "length": tokens.value_lengths()})
+
+
+def _lists(held: Sequence[Sequence[int]]) -> pa.ListArray:
+    """Lists as one array, which is many times as fast as to let pyarrow find out what they are."""
+    ends = np.cumsum([0, *map(len, held)], dtype=np.int32)
+    values = np.fromiter(chain.from_iterable(held), np.int32, count=int(ends[-1]))
+    return pa.ListArray.from_arrays(ends, values)
+
+
+def encoded(rows: Sequence[Row], tokenizer: External, *, chat: bool) -> list[EncodedRow]:
+    """Return all rows in tokens; with `chat` as messages in the tokenizer's template, else as plain texts."""
+    pairs = [templated(row, tokenizer) if chat else (row.prompt, row.completion) for row in rows]
+    first = _tokens([prompt for prompt, _ in pairs], tokenizer, special=not chat)
+    second = _tokens([completion for _, completion in pairs], tokenizer, special=False)
+    end = tokenizer.eos_token_id
+    return [EncodedRow(a, b if b[-1:] == [end] else [*b, end]) for a, b in zip(first, second, strict=True)]
+
+
+def templated(row: Row, tokenizer: External) -> tuple[str, str]:
+    """Return a row as its messages are written: what stands before the completion, and that to the end of its turn.
+
+    Where a template writes an earlier turn otherwise than the one to be answered, the completion stands as it is.
+    """
+    asked = [{"role": "user", "content": row.prompt}]
+    said = [*asked, {"role": "assistant", "content": row.completion}]
+    prompt = tokenizer.apply_chat_template(asked, tokenize=False, add_generation_prompt=True)
+    whole = tokenizer.apply_chat_template(said, tokenize=False)
+    rest = whole.removeprefix(prompt).rstrip()
+    if not whole.startswith(prompt) or row.completion.strip() not in rest:
+        return prompt, row.completion
+    return prompt, rest
+
+
+def _tokens(texts: list[str], tokenizer: External, *, special: bool) -> list[list[int]]:
+    if not texts:
+        return []
+    return tokenizer(texts, add_special_tokens=special, verbose=False)["input_ids"]
+
 
 MOST_ROWS = 10_000_000
 

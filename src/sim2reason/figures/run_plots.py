@@ -1,7 +1,4 @@
-"""Plots of evaluations: accuracies with their intervals, lengths of responses over training, and correlations."""
-
-# pyright: reportUnknownMemberType=false
-# matplotlib leaves its keyword arguments untyped.
+"""Plots of training runs and of evaluations."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -9,10 +6,62 @@ from typing import NamedTuple
 
 from sim2reason.figures.canvas import SETTINGS, check, matplotlib, save
 
-__all__ = ["Bar", "Point", "bars", "over_steps", "scatter"]
+__all__ = ["Bar", "Point", "bars", "curves", "over_steps", "scatter"]
 
-COLORS = "#1b5e9b", "#c2571a", "#2e7d4f", "#8a3d8f", "#7a5a12", "#555555", "#c01f4e", "#0f8b8d"
+# pyright: reportUnknownMemberType=false
+# matplotlib leaves its keyword arguments untyped.
+
+
+RUN_COLORS = "#1b5e9b", "#c2571a", "#2e7d4f", "#8a3d8f", "#7a5a12", "#555555"
 DPI = 150
+SMOOTH = 0.9  # of an exponential average
+Series = Mapping[str, Sequence[float | None]]
+"""Of each run, a number for each step; None where there is none."""
+
+
+def curves(path: Path, panels: Mapping[str, Series]) -> None:
+    """A panel for each quantity with a line for each run over its steps: pale as measured, strong as averaged."""
+    check(path)
+    with matplotlib().rc_context({**SETTINGS, "font.size": 8.0}):
+        from matplotlib.figure import Figure  # noqa: PLC0415 - heavy, and an extra
+
+        columns = 2
+        rows = -(-len(panels) // columns)
+        figure = Figure(figsize=(8.0, 1.9 * rows + 0.6), layout="constrained")
+        places = figure.subplots(rows, columns, sharex=True, squeeze=False).ravel()
+        for axes, (title, series) in zip(places, panels.items(), strict=False):
+            for number, (name, values) in enumerate(series.items()):
+                points = [(step, value) for step, value in enumerate(values, start=1) if value is not None]
+                steps, held = [step for step, _ in points], [value for _, value in points]
+                color = RUN_COLORS[number % len(RUN_COLORS)]
+                axes.plot(steps, held, color=color, alpha=0.25, linewidth=0.8)
+                axes.plot(steps, averaged(held), color=color, linewidth=1.4, label=name)
+            axes.set_title(title, fontsize=8.5)
+            axes.grid(color="#dddddd", linewidth=0.5)
+        for axes in places[len(panels) :]:
+            axes.set_visible(False)
+        shown = [axes.get_legend_handles_labels() for axes in places]
+        lines = {name: line for held, names in shown for line, name in zip(held, names, strict=True)}
+        figure.legend(lines.values(), lines, loc="outside upper center", ncols=6, frameon=False, fontsize=7.5)
+        figure.supxlabel("step", fontsize=8.5)
+        save(figure, path, DPI)
+
+
+def averaged(values: Sequence[float]) -> list[float]:
+    """Return an exponential average, without bias at the start."""
+    found, total, weight = list[float](), 0.0, 0.0
+    for value in values:
+        total = SMOOTH * total + (1.0 - SMOOTH) * value
+        weight = SMOOTH * weight + 1.0 - SMOOTH
+        found.append(total / weight)
+    return found
+
+
+# pyright: reportUnknownMemberType=false
+# matplotlib leaves its keyword arguments untyped.
+
+
+SERIES_COLORS = "#1b5e9b", "#c2571a", "#2e7d4f", "#8a3d8f", "#7a5a12", "#555555", "#c01f4e", "#0f8b8d"
 LONGEST = 24  # characters of a name on an axis
 
 
@@ -56,7 +105,7 @@ def bars(path: Path, title: str, groups: Sequence[str], held: Mapping[str, Seque
         for number, (name, row) in enumerate(held.items()):
             places = [place + wide * (number + 0.5) - 0.4 for place, bar in enumerate(row) if bar is not None]
             there = [bar for bar in row if bar is not None]
-            color = COLORS[number % len(COLORS)]
+            color = SERIES_COLORS[number % len(SERIES_COLORS)]
             axes.bar(places, [100 * b.value for b in there], wide, color=color, label=_short(name))
             axes.errorbar(
                 places, [100 * b.value for b in there], _errors(there), fmt="none", ecolor="black", capsize=2.5
@@ -84,7 +133,7 @@ def over_steps(
         figure = Figure(figsize=(6.0, 5.0), layout="constrained")
         upper, lower = figure.subplots(2, 1, sharex=True)
         for number, (name, row) in enumerate(accuracy.items()):
-            color = COLORS[number % len(COLORS)]
+            color = SERIES_COLORS[number % len(SERIES_COLORS)]
             upper.plot(steps, [100 * bar.value for bar in row], "o-", color=color, label=_short(name), markersize=4)
             upper.fill_between(steps, [100 * b.low for b in row], [100 * b.high for b in row], color=color, alpha=0.15)
             lower.plot(steps, length[name], "o-", color=color, markersize=4)
@@ -106,7 +155,10 @@ def scatter(path: Path, points: Sequence[Point], across: str, up: str, title: st
         figure = Figure(figsize=(5.2, 4.6), layout="constrained")
         axes = figure.subplots()
         for number, point in enumerate(points):
-            at, color = (100 * point.x.value, 100 * point.y.value), COLORS[number % len(COLORS)]
+            at, color = (
+                (100 * point.x.value, 100 * point.y.value),
+                SERIES_COLORS[number % len(SERIES_COLORS)],
+            )
             axes.errorbar(
                 [at[0]], [at[1]], _errors([point.y]), _errors([point.x]), fmt="o", color=color, capsize=2, markersize=5
             )

@@ -1,19 +1,67 @@
-"""Nothing can be left out of a text."""
+"""Checks of texts: wordings, symbols, and numbers that cannot be left out."""
 
 from collections.abc import Iterator
 from typing import get_args
 
 from sim2reason.errors import TextError
-from sim2reason.scenes.dsl.template import Topic
+from sim2reason.scenes.dsl.choices import reachable
+from sim2reason.scenes.dsl.entity import Part
+from sim2reason.scenes.dsl.template import PartLines, Topic, variants
 from sim2reason.testing.checks import Check, check
 from sim2reason.testing.checks.round_trip import meaning, meant
 from sim2reason.testing.report import Finding
-from sim2reason.testing.specimens import Specimen, Specimens
-from sim2reason.testing.variants import changed, spoken, told_by_word
+from sim2reason.testing.specimens import Specimen, Specimens, changed, spoken, told_by_word
 from sim2reason.text.parsing import parse_scene
 from sim2reason.text.parsing.tokens import pieces
 from sim2reason.text.prose.description import Description, describe
-from sim2reason.text.prose.voices import hiding
+from sim2reason.text.prose.voices import hiding, symbolic
+
+LEAST = 3
+
+
+@check
+class WordingsCheck(Check):
+    """Every line of the class and of its parts can be said in at least three ways."""
+
+    name = "wordings"
+
+    def findings(self, specimens: Specimens) -> Iterator[Finding]:
+        """Lines with fewer."""
+        for model in reachable(specimens.cls):
+            lines = model.says if issubclass(model, Part) else ()
+            for saying in (line for line in lines if not isinstance(line, PartLines)):
+                for ways in variants(saying):
+                    if len(set(ways)) < LEAST:
+                        expected = f"each line of {model.__name__} has at least {LEAST} wordings"
+                        remedy = "say it in another construction, not only in other words"
+                        yield Finding(self.name, expected, f"{len(set(ways))}: {ways[0]!r}", remedy)
+
+
+@check
+class SymbolsCheck(Check):
+    """In the symbolic voice every given has a symbol of its own, and it stands in the text."""
+
+    name = "symbols"
+
+    def findings(self, specimens: Specimens) -> Iterator[Finding]:
+        """Two givens with one symbol, and symbols that the text lacks."""
+        for found in specimens.members:
+            yield from self._shared(found)
+
+    def _shared(self, found: Specimen) -> Iterator[Finding]:
+        description = describe(found.scene, found.seed, symbolic)
+        owner: dict[str, str] = {}
+        for path, parameter in spoken(found.scene, found.seed).items():
+            symbol = description.symbols.get(path, parameter.measure.symbol)
+            remedy = "give the fields different symbols: in their Measure, or in `symbols` of their body"
+            if symbol in owner:
+                expected = "no two givens share a symbol"
+                yield found.finding(self.name, expected, f"{path} and {owner[symbol]} are both ${symbol}$", remedy)
+            elif f"${symbol}$" not in description.text:
+                expected = f"the symbol of {path}, ${symbol}$, stands in the text"
+                yield found.finding(self.name, expected, f"it does not: {description.text}", remedy)
+            owner.setdefault(symbol, path)
+
 
 SCENES = 3
 SHIFT = 1.5

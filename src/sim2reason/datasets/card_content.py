@@ -1,0 +1,214 @@
+"""Content of the card of a dataset: histograms, worked examples and their pictures."""
+
+import warnings
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from importlib.metadata import PackageNotFoundError, version
+from math import floor, log10
+from pathlib import Path
+from typing import NamedTuple
+
+from sim2reason.base.atomic_files import checksum, put
+from sim2reason.datasets.plan import MAKER, Config
+from sim2reason.errors import FigureWarning, MissingExtraError, Sim2ReasonError
+from sim2reason.figures.plot import Histogram, png
+from sim2reason.generation.item import Item
+from sim2reason.generation.request import Request
+from sim2reason.questions.difficulty import DIFFICULTIES
+from sim2reason.questions.need import NEEDS
+
+WORDS, MOST_WORDS = 10, 500  # in a bin, and from which on all are in the last one
+Counted = dict[str, dict[str, int]]
+"""By series, then by bin."""
+
+
+@dataclass(frozen=True)
+class Shown:
+    """One histogram of all items: its bins, and the series in which its bars are stacked."""
+
+    title: str
+    axis: str
+    bin: Callable[[Item], str | int]
+    """A name, or a whole number whose neighbours are shown even if they are empty."""
+    series: Callable[[Item], str]
+    label: Callable[[int], str] = str
+    step: int = 1
+
+
+def _decade(item: Item) -> int:
+    return floor(log10(abs(item.answer.value))) if item.answer.value else 0
+
+
+SHOWN: dict[str, Shown] = {
+    "answers": Shown(
+        title="Sizes of answers, by mode",
+        axis="size of the answer in its unit, rounded down to a power of ten",
+        bin=_decade,
+        series=lambda item: item.mode,
+        label=lambda decade: f"$10^{{{decade}}}$",
+    ),
+    "lengths": Shown(
+        title="Lengths of prompts, by difficulty",
+        axis=f"words of the prompt, rounded down to {WORDS}",
+        bin=lambda item: min(len(item.prompt.split()), MOST_WORDS) // WORDS * WORDS,
+        series=lambda item: item.difficulty,
+        step=WORDS,
+    ),
+    "kinds": Shown(
+        title="Kinds of question, by mode", axis="kind", bin=lambda item: item.kind, series=lambda item: item.mode
+    ),
+    "needs": Shown(
+        title="What solutions need, by difficulty",
+        axis="the most advanced mathematics of the shortest solution",
+        bin=lambda item: item.needs,
+        series=lambda item: item.difficulty,
+    ),
+    "recipes": Shown(
+        title="Recipes, by difficulty",
+        axis="recipe",
+        bin=lambda item: item.recipe,
+        series=lambda item: item.difficulty,
+    ),
+}
+"""By the name of the picture."""
+
+
+def counted(items: Iterable[Item]) -> dict[str, Counted]:
+    """Return all histograms of some items."""
+    found: dict[str, Counted] = {name: {} for name in SHOWN}
+    for item in items:
+        for name, shown in SHOWN.items():
+            series, place = found[name].setdefault(shown.series(item), {}), str(shown.bin(item))
+            series[place] = series.get(place, 0) + 1
+    return found
+
+
+def histogram(name: str, counts: Mapping[str, Mapping[str, int]]) -> Histogram:
+    """Return what is drawn of the counts of one histogram."""
+    shown, found = SHOWN[name], {place for series in counts.values() for place in series}
+    numeric = all(place.lstrip("-").isdecimal() for place in found)
+    if numeric and found:
+        numbers = [int(place) for place in found]
+        bins = list(range(min(numbers), max(numbers) + 1, shown.step))
+        places, labels = [str(number) for number in bins], [shown.label(number) for number in bins]
+    else:
+        places = labels = sorted(found, key=lambda place: (NEEDS.get(place, 0), place))
+    series = {name: [counts[name].get(place, 0) for place in places] for name in _ordered(counts)}
+    return Histogram(shown.axis, labels, series, lying=not numeric)
+
+
+def _ordered(names: Iterable[str]) -> list[str]:
+    known = {name: place for place, name in enumerate(DIFFICULTIES)}
+    return sorted(names, key=lambda name: (known.get(name, len(known)), name))
+
+
+EXAMPLES = 6
+VARIED = "recipe", "kind", "difficulty", "mode", "shape"
+"""In what examples should differ, what counts most first."""
+
+
+class Example(NamedTuple):
+    """A problem that a card shows."""
+
+    item: Item
+    solution: str
+    """The worked solution, or why there is none."""
+    picture: bytes | None
+    """A PNG, if the scene can be drawn here."""
+
+
+def chosen(items: Iterable[Item]) -> list[Item]:
+    """Return a few of some items that differ as much as they can, the first ones if in doubt."""
+    waiting, found = list(items), list[Item]()
+    while waiting and len(found) < EXAMPLES:
+        seen = {name: [getattr(item, name) for item in found] for name in VARIED}
+        best = min(waiting, key=lambda item: [seen[name].count(getattr(item, name)) for name in VARIED])
+        waiting.remove(best)
+        found.append(best)
+    return found
+
+
+def example(item: Item, config: Config) -> Example:
+    """Return an item of a dataset with its solution and its figure, which calls things as the prompt does."""
+    try:
+        solution, picture = _made_again(item) if config.maker == MAKER else ("", None)
+    except Sim2ReasonError as error:  # a version that fits, but a scene that can't be told or drawn
+        solution, picture = f"None: {error}", None
+    if item.solution is not None:
+        solution = item.solution.text
+    return Example(item, solution or item.unsolved or "This dataset has none.", picture)
+
+
+def _made_again(item: Item) -> tuple[str, bytes | None]:
+    """The worked solution and the figure of an item of the library's own maker: both need more than items keep."""
+    from sim2reason.figures import canvas, drawing  # noqa: PLC0415 - the same
+    from sim2reason.generation.certified import recorded, worked  # noqa: PLC0415 - the same
+    from sim2reason.generation.item_search import ItemSearch  # noqa: PLC0415 - it loads what else only workers need
+
+    request = Request.of(item)
+    found = ItemSearch(request).found()
+    if found is None or found.prompt != item.prompt:
+        return "", None
+    solution, unsolved = recorded(worked(request, found)) if item.solution is None else (item.solution, "")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", FigureWarning)
+        drawn = drawing.drawing(found.description.scene, found.description)
+    try:
+        picture = canvas.png(drawn)
+    except MissingExtraError:
+        picture = None
+    return solution.text if solution is not None else f"None: {unsolved}.", picture
+
+
+FIGURES = "figures"
+"""The folder of all pictures."""
+PACKAGE = "matplotlib"
+
+
+def of_histogram(name: str) -> str:
+    """Return the file of a histogram."""
+    return f"{FIGURES}/{name}.png"
+
+
+def of_example(number: int) -> str:
+    """Return the file of an example's figure, counted from 1."""
+    return f"{FIGURES}/example-{number}.png"
+
+
+def drawn_by() -> str:
+    """Return the package that draws, with its version, which decides about the bytes; empty without one."""
+    try:
+        return f"{PACKAGE} {version(PACKAGE)}"
+    except PackageNotFoundError:
+        return ""
+
+
+def put_pictures(
+    out: Path, scratch: Path, histograms: Mapping[str, Counted], examples: Sequence[Example]
+) -> tuple[str, ...]:
+    """Write the pictures of a dataset, and give their names; none where no package is there to draw."""
+    try:
+        found = dict(_pictures(histograms, examples))
+    except MissingExtraError:
+        return ()
+    for name, data in found.items():
+        put(out / name, lambda path, data=data: path.write_bytes(data), scratch)
+    return tuple(found)
+
+
+def _pictures(histograms: Mapping[str, Counted], examples: Sequence[Example]) -> Iterator[tuple[str, bytes]]:
+    for name in SHOWN:
+        if histograms.get(name):
+            yield of_histogram(name), png(histogram(name, histograms[name]))
+    for number, example in enumerate(examples, start=1):
+        if example.picture is not None:
+            yield of_example(number), example.picture
+
+
+def remove_pictures(out: Path, files: Mapping[str, str]) -> None:
+    """Remove those that a manifest lists among its `files`, if they still are as it says."""
+    ours = [name for name in files if Path(name).parent == Path(FIGURES) and checksum(out / name) == files[name]]
+    for name in ours:
+        (out / name).unlink()
+    if ours and not any((out / FIGURES).iterdir()):
+        (out / FIGURES).rmdir()
