@@ -27,6 +27,7 @@ from sim2reason.solutions.reverse import Inversion, forward
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.solution import SAME, Relation, Solution, Step
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, fitting, offered
+from sim2reason.solutions.stretch_ends import tell_reason
 from sim2reason.solutions.verification import verified
 from sim2reason.solutions.writing.lexicon import UnreadError
 from sim2reason.solutions.writing.merging import merged
@@ -125,6 +126,8 @@ def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | N
     try:
         goal = strategy.write(setting, book)
         goal = _inverted(setting, book, goal) if setting.stated is not None and not strategy.integrates else goal
+        if setting.extreme is not None:
+            tell_reason(setting, book, goal)
         late = {*book.hidden, book.sought}
         if not book.in_symbols:
             book.hidden.clear()
