@@ -23,6 +23,7 @@ from sim2reason.solutions.laws.either_way import needs_modulus
 from sim2reason.solutions.laws.strings_and_pulleys import after_what_they_rest_on
 from sim2reason.solutions.multipart.renaming import times_in_sequence
 from sim2reason.solutions.opposite_sign import is_magnitude
+from sim2reason.solutions.reached_values import number_unit
 from sim2reason.solutions.reverse import Inversion, forward
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.solution import SAME, Relation, Solution, Step
@@ -113,8 +114,8 @@ def by(strategy: Strategy, setting: Setting, *, shown: bool = True) -> Solution:
 
 def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | None = None, *, shown: bool) -> Solution:
     """Return a solution in numbers; in symbols where it is said how the question's own numbers are `called`."""
-    asks_time = setting.sought is not None and not setting.unknown
-    book = Book(setting.words.units, asks_time=asks_time, called=called, most=setting.most)
+    asks = "" if setting.sought is None or setting.unknown else number_unit(setting.query.moment)
+    book = Book(setting.words.units, asks=asks, called=called, most=setting.most)
     for path, given in setting.lexicon.givens.items():
         book.reserve(given.symbol)
         unit = given.counted_unit if path == setting.unknown else ""

@@ -158,8 +158,7 @@ class SwingAngle(ABC):
         """The angle that the moment says: of the line to the centre of mass, or by how much it has turned."""
         moment, name = self.setting.query.moment, self.book.fresh(r"\phi")
         assert isinstance(moment, Deflected | TurnedThrough)
-        self.book.know(name.name, np.radians(moment.value), DEGREES)
-        self.book.stated[name.name] = rf"{moment.value:g}{DEGREES}"
+        self.book.say_given(name.name, float(np.radians(moment.value)), DEGREES)
         return name
 
     @abstractmethod

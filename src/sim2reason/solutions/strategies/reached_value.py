@@ -1,0 +1,147 @@
+"""Value reached: the moment at which a quantity has a stated value, then what is asked about that moment."""
+
+from collections.abc import Iterator, Sequence
+from collections.abc import Set as AbstractSet
+from dataclasses import replace
+from math import isclose, radians
+
+from sim2reason.dsl.mechanism import Mechanism
+from sim2reason.questions import Query
+from sim2reason.questions.moments import Moment
+from sim2reason.questions.moments.parts.reached import Reached
+from sim2reason.solutions.algebra.expressions import Number, Symbol
+from sim2reason.solutions.goals import GOALS
+from sim2reason.solutions.multipart.one_text import enter, in_one_text
+from sim2reason.solutions.multipart.quoting import referred
+from sim2reason.solutions.multipart.recall import given_for
+from sim2reason.solutions.multipart.renaming import renamed_step
+from sim2reason.solutions.reached_values import instants, is_number_of, number_unit
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.solution import WELL, Relation, Solution, Step
+from sim2reason.solutions.solve import solve
+from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import DEGREES
+
+
+@strategy
+class ValueReached(Strategy):
+    """Finds where or when a quantity has the stated value, then solves the question about that moment."""
+
+    name = "value reached"
+    cost = 1.0
+    kinds = frozenset({"event"})
+    nested = True
+    finished = True
+
+    def formulas(self, mechanism: Mechanism) -> frozenset[str]:
+        """Return no kinds, since the text has its own numbers."""
+        del mechanism
+        return frozenset()
+
+    def refusal(self, setting: Setting) -> str:
+        """Return why the strategy does not apply; empty if it does."""
+        moment = setting.query.moment
+        if not isinstance(moment, Reached):
+            return "no quantity reaches a value"
+        if setting.unknown or setting.formula is not None:
+            return "it has no way to an unknown, or in symbols"
+        if setting.target is None or setting.target == moment.target:
+            return "the question says the value"
+        return ""
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """Write the way to the moment and on from there, by the first number of the moment that leads to the answer."""
+        reasons: list[str] = []
+        for moment, value in instants(setting):
+            parts = [*_parts(setting, moment, value)]
+            solutions = [solve(part, checked=False) for part in parts]
+            failed = next((found for found in solutions if not found.derived), None)
+            if failed is not None:
+                reasons.append(failed.reason or "only an integration leads to it")
+                continue
+            told = [solutions[0], *(_with_found(part, moment, value) for part in solutions[1:])]
+            found, steps = in_one_text(parts, told)
+            if steps:
+                for part in found:
+                    enter(part, book)
+                steps, goal = _with_stated_result(steps, found, parts[-1])
+                book.rewrite(0, steps)
+                return goal
+            reasons.append(found[-1].reason)
+        raise UnsolvedError(reasons[-1])
+
+
+def _parts(setting: Setting, moment: Moment, value: float) -> Iterator[Setting]:
+    """Yield the question about the number of a moment, then that about the quantity at this moment."""
+    reached = setting.query.moment
+    assert isinstance(reached, Reached)
+    yield replace(setting, query=Query(moment.kind, reached.target, moment), stated=reached.given, sought=value)
+    if not is_number_of(moment, setting.query.target):
+        yield replace(setting, query=Query(moment.kind, setting.query.target, moment))
+
+
+def _with_found(part: Solution, moment: Moment, value: float) -> Solution:
+    """Return a solution in which the number of a moment is no given, but a result from elsewhere."""
+    unit = number_unit(moment)
+    counted = radians(value) if unit == DEGREES else value
+    name = next((n for n in part.stated if isclose(part.values[n], counted, rel_tol=WELL)), "")
+    if not name:
+        return part
+    used = {n for step in part.steps for n in step.symbols()} - {name}
+    steps = [given_for(step, used) if step.kind == "givens" else step for step in part.steps]
+    relation = Relation(Symbol(name), Number(part.values[name]), "result", unit)
+    found = Step(len(steps), "moment", "", (relation,), (name,), ())
+    return replace(part, steps=tuple(_after_givens(steps, found)), stated=tuple(n for n in part.stated if n != name))
+
+
+def _after_givens(steps: list[Step], found: Step) -> Iterator[Step]:
+    """Yield steps with one more after the givens; steps that take its name need it."""
+    (name,) = found.gives
+    first = [step for step in steps if step.kind == "givens"]
+    rest = [step for step in steps if step.kind != "givens"]
+    place = {step.id: number for number, step in enumerate([*first, found, *rest])}
+    yield from (replace(step, id=place[step.id]) for step in first)
+    yield replace(found, id=place[found.id])
+    for step in rest:
+        needs = {place[need] for need in step.needs} | ({place[found.id]} if name in step.symbols() else set())
+        yield replace(step, id=place[step.id], needs=tuple(sorted(needs)))
+
+
+def _with_stated_result(
+    steps: Sequence[Step], parts: Sequence[Solution], asked: Setting
+) -> tuple[list[Step], str]:
+    """Return steps that take the stated value of a quantity where they would find it again, and the goal's name.
+
+    The way to the moment is left out if the answer follows from the stated value alone, as a kinetic energy does from a
+    speed; not of what turns, since the way tells how it rolls.
+    """
+    first, goal = parts[0], parts[-1].goal
+    own = {r.left.latex(): r.right for step in first.steps for r in step.relations if r.role in ("law", "result")}
+    again: dict[str, str] = {}
+    for step in steps:
+        for relation in step.relations if len(step.gives) == 1 else ():
+            stated = (name for name in first.stated if own.get(name) == relation.right)
+            again |= {name: known for name in step.gives for known in stated if name not in (known, goal)}
+    if not again:
+        return [*steps], goal
+    kept = [renamed_step(step, again) for step in steps if again.keys().isdisjoint(step.gives)]
+    needed = _needed(goal, kept, {*first.stated})
+    turns = asked.target is not None and GOALS[asked.target.quantity].turns
+    return [*_renumbered(kept if turns or len(needed) > 1 else needed)], goal
+
+
+def _needed(goal: str, steps: Sequence[Step], given: AbstractSet[str]) -> list[Step]:
+    """Return the steps that lead to a name from what is given."""
+    used, kept = {goal}, list[Step]()
+    for step in reversed(steps):
+        if not (used - given).isdisjoint(step.gives):
+            used |= {*step.symbols(), *referred(step.text)}
+            kept.append(step)
+    return kept[::-1]
+
+
+def _renumbered(steps: Sequence[Step]) -> Iterator[Step]:
+    place = {step.id: number for number, step in enumerate(steps)}
+    for step in steps:
+        yield replace(step, id=place[step.id], needs=tuple(place[need] for need in step.needs if need in place))
