@@ -55,13 +55,13 @@ def _thresholds(setting: Setting, target: Target, value: float) -> Iterator[Thre
 def instants(setting: Setting) -> Iterator[tuple[Moment, float]]:
     """Yield moments of a stated number that are the one at which a quantity reaches a value, each with its number.
 
-    Distances and angles come first, at which energy gives speeds without the time; in the end comes the time.
+    Distances along a line and angles come first, at which energy gives speeds without the time, which comes last.
     """
     reached, query = setting.query.moment, setting.query
     assert isinstance(reached, Reached)
     asked = (query.target.subject,) if query.target is not None else ()
     for quantity, classes in THRESHOLDS.items():
-        subjects = {name: None for cls in classes for name in cls.candidates(setting.words)}
+        subjects = {name: None for cls in classes if cls is not Away for name in cls.candidates(setting.words)}
         for subject in sorted(subjects, key=lambda name: name not in (*asked, reached.target.subject)):
             target = Target(quantity, subject)
             value = target.value(setting.study.trace.at(setting.time))

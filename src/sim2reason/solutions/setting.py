@@ -38,6 +38,7 @@ class Setting:
     unknown: str = ""  # the address of the number that the text leaves open, and asks for
     stated: StatedResult | None = None  # what the query's answer is said to be, where that is not asked for
     sought: float | None = None  # the moment's number that is asked for, such as a time, where a result then is given
+    passage: int = 0  # 1 or 2: at which of the times a quantity passes the result, where those are told apart
     extreme: StretchQuery | None = None  # the extreme value that is asked for, where the query asks for it at an end
     formula: Formula | None = None  # the answer, where the numbers of the text are symbols
     assumed: tuple[Regime, ...] = ()  # what the text says of the motion where its numbers are symbols

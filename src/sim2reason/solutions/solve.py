@@ -116,6 +116,7 @@ def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | N
     """Return a solution in numbers; in symbols where it is said how the question's own numbers are `called`."""
     asks = "" if setting.sought is None or setting.unknown else number_unit(setting.query.moment)
     book = Book(setting.words.units, asks=asks, called=called, most=setting.most)
+    book.passage = setting.passage
     for path, given in setting.lexicon.givens.items():
         book.reserve(given.symbol)
         unit = given.counted_unit if path == setting.unknown else ""

@@ -10,7 +10,6 @@ from sim2reason.questions import Query
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.solutions.algebra.expressions import Number, Symbol
-from sim2reason.solutions.goals import GOALS
 from sim2reason.solutions.multipart.one_text import enter, in_one_text
 from sim2reason.solutions.multipart.quoting import referred
 from sim2reason.solutions.multipart.recall import given_for
@@ -65,7 +64,7 @@ class ValueReached(Strategy):
             if steps:
                 for part in found:
                     enter(part, book)
-                steps, goal = _with_stated_result(steps, found, parts[-1])
+                steps, goal = _with_stated_result(_without_repeated(steps), found, parts[-1])
                 book.rewrite(0, steps)
                 return goal
             reasons.append(found[-1].reason)
@@ -76,7 +75,8 @@ def _parts(setting: Setting, moment: Moment, value: float) -> Iterator[Setting]:
     """Yield the question about the number of a moment, then that about the quantity at this moment."""
     reached = setting.query.moment
     assert isinstance(reached, Reached)
-    yield replace(setting, query=Query(moment.kind, reached.target, moment), stated=reached.given, sought=value)
+    query, which = Query(moment.kind, reached.target, moment), reached.number
+    yield replace(setting, query=query, stated=reached.given, sought=value, passage=which)
     if not is_number_of(moment, setting.query.target):
         yield replace(setting, query=Query(moment.kind, setting.query.target, moment))
 
@@ -127,8 +127,20 @@ def _with_stated_result(
         return [*steps], goal
     kept = [renamed_step(step, again) for step in steps if again.keys().isdisjoint(step.gives)]
     needed = _needed(goal, kept, {*first.stated})
-    turns = asked.target is not None and GOALS[asked.target.quantity].turns
+    turns = any(coordinate.kind == "hinge" for coordinate in asked.mechanism.coordinates)
     return [*_renumbered(kept if turns or len(needed) > 1 else needed)], goal
+
+
+def _without_repeated(steps: Sequence[Step]) -> list[Step]:
+    """Return steps without those that verify again what an earlier one does, in other words."""
+    said: list[tuple[Relation, ...]] = []
+    kept: list[Step] = []
+    for step in steps:
+        if step.gives or not step.relations or step.relations not in said:
+            kept.append(step)
+        if not step.gives:
+            said.append(step.relations)
+    return [*_renumbered(kept)]
 
 
 def _needed(goal: str, steps: Sequence[Step], given: AbstractSet[str]) -> list[Step]:

@@ -48,6 +48,7 @@ class Book(FreshNames):
         self.formulas: dict[str, Expression] = {}  # of those, in order
         self.keen = 1.0  # relative: by how much what is given changes with what is unknown
         self.sign_chosen = 0  # 1 or −1, for the magnitude of what hangs on an unknown, see `goals.modulus`
+        self.passage = 0  # 1 or 2: at which of the times a quantity passes a value that is asked for; 0 if that is open
         self.phase = 0  # the index of the phase of the motion to which the next steps belong
         self.phases: list[Phase] = []  # empty where the motion has a single phase
         self.afterwards: list[Callable[[], None]] = []  # write arguments that may rest on what was found in the end
@@ -60,7 +61,7 @@ class Book(FreshNames):
     def copy(self) -> "Book":
         """Another with the same names known, and no steps, for a draft."""
         found = Book(self._units, asks=self.asks, called=self._called, most=self.most)
-        found.hidden, found.sought = {*self.hidden}, self.sought
+        found.hidden, found.sought, found.passage = {*self.hidden}, self.sought, self.passage
         found.values, found.units, found.stated = {**self.values}, {**self.units}, {**self.stated}
         found._taken, found.labels = {*self._taken}, copy(self.labels)
         return found
