@@ -2,6 +2,7 @@
 
 from collections.abc import Collection
 
+from sim2reason.quantities.positions import HeightAboveStart
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments.angles import Deflected, TurnedThrough
 from sim2reason.questions.moments.strings import WentSlack
@@ -37,7 +38,8 @@ def quantity_of(setting: Setting) -> str:
     query = setting.query
     if isinstance(query, StretchQuery):
         return EXTREMES[query.functional][0] if query.functional in EXTREMES else query.functional
-    return query.target.quantity if query.target is not None else ""
+    named = query.target.quantity if query.target is not None else ""
+    return "height" if named == HeightAboveStart.name else named
 
 
 def turns_back(setting: Setting, noun: str) -> str:
