@@ -130,6 +130,7 @@ def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | N
         goal = _inverted(setting, book, goal) if setting.stated is not None and not strategy.integrates else goal
         if setting.extreme is not None:
             tell_reason(setting, book, goal)
+            book.units[goal] = book.units.get(goal) or setting.unit  # the text tells the unit of what it gives
         late = {*book.hidden, book.sought}
         if not book.in_symbols:
             book.hidden.clear()

@@ -1,11 +1,12 @@
 """Extreme values at an end of a stretch of motion: the question about the value there, and why it is the extreme."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from sim2reason.dsl.constancy import changing
+from sim2reason.dsl.mechanism import Mechanism
 from sim2reason.questions import KINDS, Query
 from sim2reason.questions.choices import only_falls
 from sim2reason.questions.functionals import FUNCTIONALS
@@ -14,14 +15,14 @@ from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.bounces import Landed
 from sim2reason.questions.moments.parts.occurrence import VelocityJump
-from sim2reason.questions.moments.times import WholeMotion
+from sim2reason.questions.moments.times import AtStart, WholeMotion
 from sim2reason.questions.targets import Target
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.writing.steps import Book
 
 SAME = 1e-9  # relative: how well an extreme value is that at an end
 SAMPLES = 2000  # instants of a stretch at which a function is looked at
-LEAST_RISE = 1e-9  # of the greatest value: a function that changes by less is constant
+LEAST_CHANGE = 1e-9  # of the greatest value: a function that changes by less is constant
 SPEEDS = frozenset({"velocity", "kinetic energy"})
 CHANGES: Mapping[str, tuple[str, str]] = {
     "displacement": ("{who} moves away from its starting point", "{who} approaches its starting point"),
@@ -59,7 +60,7 @@ def _same(one: float, other: float | None) -> bool:
 
 
 def _ends(setting: Setting, query: StretchQuery) -> Iterator[Moment]:
-    """Yield the moments with which a stretch may end: its own, of a jump of velocities just before it."""
+    """Yield the moments at which a stretch ends and begins: its own, of a jump of velocities just before it, the start."""
     moment, study = query.moment, setting.study
     if isinstance(moment, WholeMotion):
         until = study.time(moment)
@@ -69,6 +70,7 @@ def _ends(setting: Setting, query: StretchQuery) -> Iterator[Moment]:
         yield from (moment, replace(moment, after=False))
     elif moment is not None:
         yield moment
+    yield AtStart()
 
 
 def _value_at(moment: Moment, query: StretchQuery, functional: Extreme) -> Query:
@@ -77,83 +79,118 @@ def _value_at(moment: Moment, query: StretchQuery, functional: Extreme) -> Query
 
 
 def reason(setting: Setting) -> str:
-    """Return why the value at the end of a stretch is the extreme one, in sentences; empty if no reason is known."""
+    """Return why the value at an end of a stretch is the extreme one, in sentences; empty if no reason is known."""
     query = setting.extreme
     functional = FUNCTIONALS[query.functional] if query is not None else None
     if query is None or not isinstance(functional, Extreme):
         return ""
-    times = np.linspace(0.0, _end(setting), SAMPLES + 1)
-    state = setting.study.trace.sample(times)
+    trace, last = setting.study.trace, not isinstance(setting.query.moment, AtStart)
+    times = np.linspace(0.0, _until(setting), SAMPLES + 1)
+    state = trace.sample(times)
     values = functional.height(state, query.name)
-    little = LEAST_RISE * float(np.abs(values).max())
-    if float(np.ptp(values)) <= little:
-        return ""
-    grows_always = bool(np.diff(values).min() >= -little)
+    little = LEAST_CHANGE * float(np.abs(values).max())
     quantity = functional.quantity.name if functional.sense is None else query.functional.removeprefix("greatest ")
+    if float(np.ptp(values)) <= little:
+        who = setting.called(query.name)
+        constant = f"No force has a component along the velocity of {who}, so its speed does not change."
+        return constant if quantity in SPEEDS and little > 0.0 and not setting.mechanism.forces else ""
+    towards = values if last else values[::-1]  # the extreme value
+    monotonic = bool(np.diff(towards).min() >= -little)
     if quantity not in SPEEDS or functional.sign < 0.0:
-        return _of_rate(setting, quantity, grows=functional.sign > 0.0) if grows_always else ""
+        return _of_rate(setting, quantity, grows=(functional.sign > 0.0) is last, last=last) if monotonic else ""
     heights = state.frames.center(query.name).place[2] + 0.0 * times
-    lowest = float(heights[-1]) <= float(heights.min()) + LEAST_RISE * float(np.abs(heights).max())
-    from_rest = float(values[0]) <= little
-    return _of_speed(setting, grows_always=grows_always, lowest=lowest, from_rest=from_rest)
+    lowest = float(heights[-1 if last else 0]) <= float(heights.min()) + LEAST_CHANGE * float(np.abs(heights).max())
+    return _of_speed(setting, _Course(last, monotonic, lowest, from_rest=float(towards[0]) <= little))
 
 
-def _end(setting: Setting) -> float:
+@dataclass(frozen=True, slots=True)
+class _Course:
+    """How a speed changes in a stretch: whether the extreme is `last`, and all before it `monotonic`; how it begins.
+
+    `lowest` says that the body is nowhere lower than at the extreme.
+    """
+
+    last: bool
+    monotonic: bool
+    lowest: bool
+    from_rest: bool
+
+    @property
+    def end(self) -> str:
+        """Return which end of the stretch has the extreme value."""
+        return "at the end" if self.last else "at the start"
+
+
+def _until(setting: Setting) -> float:
     """Return the last instant of the stretch, s."""
-    moment = setting.query.moment
+    moment = setting.extreme.moment if setting.extreme is not None else None
     assert moment is not None
-    return moment.side(setting.time)
+    time = setting.study.time(moment)
+    assert time is not None
+    return float(np.nextafter(time, 0.0)) if isinstance(moment, VelocityJump) else moment.side(time)
 
 
-def _of_speed(setting: Setting, *, grows_always: bool, lowest: bool, from_rest: bool) -> str:
-    """Return why the speed of a body is greatest at the end of a stretch; empty if it is not clear."""
-    query, mechanism = setting.extreme, setting.mechanism
+def _of_speed(setting: Setting, course: _Course) -> str:
+    """Return why the speed of a body is greatest at an end of a stretch; empty if it is not clear."""
+    query, mechanism, until = setting.extreme, setting.mechanism, _until(setting)
     assert query is not None
-    who, noun = setting.called(query.name), FUNCTIONALS[query.functional].name.removeprefix("greatest ")
-    events = any(event.changes_motion and 0.0 < event.time < _end(setting) for event in setting.motion.events)
-    steady = not changing(mechanism) and not events
-    if steady and only_falls(mechanism) and lowest and mechanism.gravity[2] < 0.0:
-        where = "where it lands" if isinstance(setting.query.moment, Landed) else "at the end of this part of its path"
+    who, noun = setting.called(query.name), FUNCTIONALS[query.functional].name
+    jumps = any(event.changes_motion and 0.0 < event.time < until for event in setting.study.trace.events)
+    steady = not changing(mechanism) and not jumps
+    if steady and _flies(mechanism, query.name) and course.lowest:
+        where = "at the end of this part of its path" if course.last else "where it starts"
+        where = "where it lands" if isinstance(setting.query.moment, Landed) else where
         return (
             f"In flight only gravity does work on {who}, so that its kinetic energy increases as its height decreases."
-            f" It is nowhere lower than {where}, so this is its greatest {noun}."
+            f" It is nowhere lower than {where}, so this is its {noun}."
         )
-    if grows_always and steady and from_rest:
+    if course.monotonic and steady and course.last and course.from_rest:
         return (
             f"The forces do not change, so {who} has a constant acceleration. From rest its speed can only increase,"
-            f" so its greatest {noun} is that at the end."
+            f" so its {noun} is that at the end."
         )
-    if grows_always:
+    if course.monotonic:
+        way, changes = ("along", "increases") if course.last else ("opposite to", "decreases")
         return (
-            f"All this time the acceleration of {who} has a component along its velocity, so its speed increases,"
-            f" and its greatest {noun} is that at the end."
+            f"All this time the acceleration of {who} has a component {way} its velocity, so its speed {changes},"
+            f" and its {noun} is that {course.end}."
         )
     if steady:
         return (
             f"The acceleration of {who} is constant, so the square of its speed is a quadratic function of the time"
-            f" that opens upward. It is therefore greatest at the start or at the end; here, at the end."
+            f" that opens upward. It is therefore greatest at the start or at the end; here, {course.end}."
         )
     return ""
 
 
-def _of_rate(setting: Setting, quantity: str, *, grows: bool) -> str:
-    """Return why a quantity that changes in one sense is extreme at the end of a stretch; empty if it is not clear."""
+def _flies(mechanism: Mechanism, name: str) -> bool:
+    """Return whether gravity alone acts on a body."""
+    return only_falls(mechanism) and mechanism.gravity[2] < 0.0 and mechanism.body[name].parent is None
+
+
+def _of_rate(setting: Setting, quantity: str, *, grows: bool, last: bool) -> str:
+    """Return why a quantity that changes in one sense is extreme at an end of a stretch; empty if it is not clear."""
     query = setting.extreme
     assert query is not None
-    name = query.functional
+    end = "at the end" if last else "at the start"
     if quantity in SPEEDS:
-        who = setting.called(query.name)
-        why = f"the acceleration of {who} has a component opposite to its velocity"
-        return f"All this time {why}, so its speed decreases, and its {name} is that at the end."
+        way, changes = ("along", "increases") if grows else ("opposite to", "decreases")
+        why = f"the acceleration of {setting.called(query.name)} has a component {way} its velocity"
+        return f"All this time {why}, so its speed {changes}, and its {query.functional} is that {end}."
     if quantity not in CHANGES:
         return ""
     who = setting.called(query.name) if quantity != "distance" else ""
     why = CHANGES[quantity][0 if grows else 1].format(who=who)
-    return f"All this time {why}, so the {name} is that at the end."
+    return f"All this time {why}, so the {query.functional} is that {end}."
 
 
 def tell_reason(setting: Setting, book: Book, goal: str) -> None:
-    """Write why the value at the end of a stretch, which is written already, is the extreme one."""
+    """Write why the value at an end of a stretch, which is written already, is the extreme one.
+
+    If the text gives that value, nothing else is needed.
+    """
+    if setting.is_given(goal):
+        book.rewrite(0, ())
     step = book.open("extreme")
     step.rest_on(goal)
     step.say(reason(setting))
