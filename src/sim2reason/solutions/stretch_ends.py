@@ -1,4 +1,4 @@
-"""Extreme values at an end of a stretch of motion: the question about the value there, and why it is the extreme."""
+"""Extreme values at an end of a stretch of motion: the question about the value there, and why it is extreme."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -37,7 +37,7 @@ CHANGES: Mapping[str, tuple[str, str]] = {
 
 
 def at_end(setting: Setting) -> Setting | None:
-    """Return the question about the value at the end of a stretch; None if that is not the extreme value asked for.
+    """Return the question about the value at an end of a stretch; None if that is not the extreme value asked for.
 
     Also None if it is not clear why there is no other value beyond it.
     """
@@ -60,7 +60,7 @@ def _same(one: float, other: float | None) -> bool:
 
 
 def _ends(setting: Setting, query: StretchQuery) -> Iterator[Moment]:
-    """Yield the moments at which a stretch ends and begins: its own, of a jump of velocities just before it, the start."""
+    """Yield the moments at which a stretch ends, of a jump of velocities also just before it, and begins."""
     moment, study = query.moment, setting.study
     if isinstance(moment, WholeMotion):
         until = study.time(moment)

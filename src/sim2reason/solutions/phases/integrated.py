@@ -193,7 +193,7 @@ class IntegratedPhases:
             if not isinstance(query.moment, AtTime):
                 raise UnsolvedError("it asks for no time")
             return [_excess(inner, setting.target, setting.stated)]
-        if isinstance(query.moment, Reached):
+        if isinstance(query.moment, Reached) and query.target != query.moment.target:
             return [_excess(inner, query.moment.target, query.moment.given)]
         return moment_conditions(inner, query.moment)
 

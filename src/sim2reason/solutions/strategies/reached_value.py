@@ -1,5 +1,6 @@
 """Value reached: the moment at which a quantity has a stated value, then what is asked about that moment."""
 
+import re
 from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
@@ -10,17 +11,20 @@ from sim2reason.questions import Query
 from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.solutions.algebra.expressions import Number, Symbol
+from sim2reason.solutions.collisions.placing import SOLVED
 from sim2reason.solutions.multipart.one_text import enter, in_one_text
 from sim2reason.solutions.multipart.quoting import referred
 from sim2reason.solutions.multipart.recall import given_for
-from sim2reason.solutions.multipart.renaming import renamed_step
+from sim2reason.solutions.multipart.renaming import renamed_step, spoken
 from sim2reason.solutions.reached_values import instants, is_number_of, number_unit
 from sim2reason.solutions.setting import Setting
-from sim2reason.solutions.solution import WELL, Relation, Solution, Step
+from sim2reason.solutions.solution import CHECKS, WELL, Relation, Solution, Step
 from sim2reason.solutions.solve import solve
 from sim2reason.solutions.strategies import Strategy, strategy
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import DEGREES
+
+_SENTENCES = re.compile(r"(?<=[.]) (?=[A-Z])")
 
 
 @strategy
@@ -64,7 +68,7 @@ class ValueReached(Strategy):
             if steps:
                 for part in found:
                     enter(part, book)
-                steps, goal = _with_stated_result(_without_repeated(steps), found, parts[-1])
+                steps, goal = _with_stated_result(_without_repeated(steps), found)
                 book.rewrite(0, steps)
                 return goal
             reasons.append(found[-1].reason)
@@ -104,17 +108,14 @@ def _after_givens(steps: list[Step], found: Step) -> Iterator[Step]:
     yield from (replace(step, id=place[step.id]) for step in first)
     yield replace(found, id=place[found.id])
     for step in rest:
-        needs = {place[need] for need in step.needs} | ({place[found.id]} if name in step.symbols() else set())
+        needs = {place[need] for need in (*step.needs, *((found.id,) if name in step.symbols() else ()))}
         yield replace(step, id=place[step.id], needs=tuple(sorted(needs)))
 
 
-def _with_stated_result(
-    steps: Sequence[Step], parts: Sequence[Solution], asked: Setting
-) -> tuple[list[Step], str]:
+def _with_stated_result(steps: Sequence[Step], parts: Sequence[Solution]) -> tuple[list[Step], str]:
     """Return steps that take the stated value of a quantity where they would find it again, and the goal's name.
 
-    The way to the moment is left out if the answer follows from the stated value alone, as a kinetic energy does from a
-    speed; not of what turns, since the way tells how it rolls.
+    What the answer does not rest on is left out: a kinetic energy follows from a stated speed alone.
     """
     first, goal = parts[0], parts[-1].goal
     own = {r.left.latex(): r.right for step in first.steps for r in step.relations if r.role in ("law", "result")}
@@ -123,12 +124,18 @@ def _with_stated_result(
         for relation in step.relations if len(step.gives) == 1 else ():
             stated = (name for name in first.stated if own.get(name) == relation.right)
             again |= {name: known for name in step.gives for known in stated if name not in (known, goal)}
-    if not again:
-        return [*steps], goal
     kept = [renamed_step(step, again) for step in steps if again.keys().isdisjoint(step.gives)]
     needed = _needed(goal, kept, {*first.stated})
-    turns = any(coordinate.kind == "hinge" for coordinate in asked.mechanism.coordinates)
-    return [*_renumbered(kept if turns or len(needed) > 1 else needed)], goal
+    if not any(first.goal in step.gives for step in needed):
+        kept = [_without(step, first.goal) for step in needed]
+    return [*_renumbered(kept)], goal
+
+
+def _without(step: Step, name: str) -> Step:
+    """Return a step without the sentences and checks about a name that is not told."""
+    said = (sentence for sentence in _SENTENCES.split(step.text) if name not in spoken(sentence))
+    checks = (r for r in step.relations if r.role not in CHECKS or name not in r.symbols())
+    return replace(step, text=" ".join(said), relations=tuple(checks))
 
 
 def _without_repeated(steps: Sequence[Step]) -> list[Step]:
@@ -143,13 +150,16 @@ def _without_repeated(steps: Sequence[Step]) -> list[Step]:
     return [*_renumbered(kept)]
 
 
-def _needed(goal: str, steps: Sequence[Step], given: AbstractSet[str]) -> list[Step]:
-    """Return the steps that lead to a name from what is given."""
-    used, kept = {goal}, list[Step]()
+def _needed(goal: str, steps: Sequence[Step], stated: AbstractSet[str]) -> list[Step]:
+    """Return the steps that lead to a name; a stated one has to be written only if something is found from it."""
+    used, found, kept = {goal}, set[str](), list[Step]()
     for step in reversed(steps):
-        if not (used - given).isdisjoint(step.gives):
-            used |= {*step.symbols(), *referred(step.text)}
-            kept.append(step)
+        if (used - found).isdisjoint(step.gives):
+            continue
+        kept.append(step)
+        found |= {*step.gives}
+        names = {*step.symbols(), *referred(step.text)}
+        used |= names if step.kind == SOLVED else names - stated
     return kept[::-1]
 
 

@@ -31,7 +31,7 @@ class Book(FreshNames):
         called: Mapping[str, str] | None = None,
         most: Need = Need.INTEGRATION,
     ) -> None:
-        """Make an empty book with results in `units`; with a unit in `asks`, the first number of that unit that is said is asked for.
+        """Make an empty book with results in `units`; `asks` is the unit of the number of a moment that is asked for.
 
         With `called`, it is in symbols: no number is written, and given numbers have the names that it maps theirs to.
         No result may need more than `most`.
