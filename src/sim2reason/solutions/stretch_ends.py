@@ -13,10 +13,12 @@ from sim2reason.questions.functionals import FUNCTIONALS
 from sim2reason.questions.functionals.parts.extreme import Extreme
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.questions.moments import Moment
-from sim2reason.questions.moments.bounces import Landed
+from sim2reason.questions.moments.bounces import GROUND, Bounced, Landed, struck
+from sim2reason.questions.moments.burned_out import BurnedOut
 from sim2reason.questions.moments.parts.occurrence import VelocityJump
 from sim2reason.questions.moments.times import AtStart, WholeMotion
 from sim2reason.questions.targets import Target
+from sim2reason.simulation.trace import IMPACTS
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.writing.steps import Book
 
@@ -60,17 +62,22 @@ def _same(one: float, other: float | None) -> bool:
 
 
 def _ends(setting: Setting, query: StretchQuery) -> Iterator[Moment]:
-    """Yield the moments at which a stretch ends, of a jump of velocities also just before it, and begins."""
+    """Yield the moments at which a stretch ends, of a jump of velocities also just before it, and begins.
+
+    Last comes the first impact of a body that bounces, which may be within the stretch.
+    """
     moment, study = query.moment, setting.study
     if isinstance(moment, WholeMotion):
         until = study.time(moment)
-        landings = (Landed(name) for name in Landed.candidates(setting.words))
-        yield from (landing for landing in landings if until is not None and study.time(landing) == until)
+        happenings = (cls(name) for cls in (Landed, BurnedOut) for name in cls.candidates(setting.words))
+        yield from (event for event in happenings if until is not None and study.time(event) == until)
     elif isinstance(moment, VelocityJump):
         yield from (moment, replace(moment, after=False))
     elif moment is not None:
         yield moment
     yield AtStart()
+    if query.name in Bounced.candidates(setting.words):
+        yield Bounced(query.name, after=False)
 
 
 def _value_at(moment: Moment, query: StretchQuery, functional: Extreme) -> Query:
@@ -84,6 +91,8 @@ def reason(setting: Setting) -> str:
     functional = FUNCTIONALS[query.functional] if query is not None else None
     if query is None or not isinstance(functional, Extreme):
         return ""
+    if isinstance(setting.query.moment, Bounced) and (said := _of_impact(setting)):
+        return said
     trace, last = setting.study.trace, not isinstance(setting.query.moment, AtStart)
     times = np.linspace(0.0, _until(setting), SAMPLES + 1)
     state = trace.sample(times)
@@ -96,6 +105,8 @@ def reason(setting: Setting) -> str:
         return constant if quantity in SPEEDS and little > 0.0 and not setting.mechanism.forces else ""
     towards = values if last else values[::-1]  # the extreme value
     monotonic = bool(np.diff(towards).min() >= -little)
+    if quantity in SPEEDS and any(e.kind in IMPACTS and 0.0 < e.time < times[-1] for e in trace.events):
+        return ""  # what an impact does is no acceleration along the velocity, or opposite to it
     if quantity not in SPEEDS or functional.sign < 0.0:
         return _of_rate(setting, quantity, grows=(functional.sign > 0.0) is last, last=last) if monotonic else ""
     heights = state.frames.center(query.name).place[2] + 0.0 * times
@@ -161,6 +172,23 @@ def _of_speed(setting: Setting, course: _Course) -> str:
             f" that opens upward. It is therefore greatest at the start or at the end; here, {course.end}."
         )
     return ""
+
+
+def _of_impact(setting: Setting) -> str:
+    """Return why a body that bounces is fastest just before its first impact; empty if the stretch ends there."""
+    moment, query = setting.query.moment, setting.extreme
+    assert query is not None
+    assert isinstance(moment, Bounced)
+    time, quantity = setting.study.time(moment), FUNCTIONALS[query.functional]
+    later = time is not None and np.nextafter(time, 0.0) < _until(setting)
+    speed = isinstance(quantity, Extreme) and quantity.quantity.name in SPEEDS and quantity.sign > 0.0
+    if not (later and speed and _flies(setting.mechanism, query.name) and struck(setting.words, query.name) == GROUND):
+        return ""
+    return (
+        f"In flight only gravity does work on {setting.called(query.name)}, so that its kinetic energy increases as its"
+        f" height decreases. It is lowest at the ground, and no impact there increases its energy, so the"
+        f" {query.functional} is that just before the first impact."
+    )
 
 
 def _flies(mechanism: Mechanism, name: str) -> bool:

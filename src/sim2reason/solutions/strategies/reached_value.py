@@ -12,8 +12,8 @@ from sim2reason.questions.moments import Moment
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.solutions.algebra.expressions import Number, Symbol
 from sim2reason.solutions.collisions.placing import SOLVED
+from sim2reason.solutions.multipart.in_sequence import LAWS
 from sim2reason.solutions.multipart.one_text import enter, in_one_text
-from sim2reason.solutions.multipart.quoting import referred
 from sim2reason.solutions.multipart.recall import given_for
 from sim2reason.solutions.multipart.renaming import renamed_step, spoken
 from sim2reason.solutions.reached_values import instants, is_number_of, number_unit
@@ -151,16 +151,24 @@ def _without_repeated(steps: Sequence[Step]) -> list[Step]:
 
 
 def _needed(goal: str, steps: Sequence[Step], stated: AbstractSet[str]) -> list[Step]:
-    """Return the steps that lead to a name; a stated one has to be written only if something is found from it."""
+    """Return the steps that lead to a name, and those that verify something of them.
+
+    What leads to a stated name is needed only if something is found from that name.
+    """
     used, found, kept = {goal}, set[str](), list[Step]()
+    names = {name for step in steps for name in step.symbols()}
+    labels = {step.id: step.gives and names.isdisjoint(step.gives) for step in steps}  # of equations, not of values
     for step in reversed(steps):
-        if (used - found).isdisjoint(step.gives):
+        labelled = labels[step.id] and any(step.id in later.needs for later in kept)
+        if (used - found).isdisjoint(step.gives) and not labelled:
             continue
         kept.append(step)
         found |= {*step.gives}
-        names = {*step.symbols(), *referred(step.text)}
-        used |= names if step.kind == SOLVED else names - stated
-    return kept[::-1]
+        symbols = {*step.symbols()}
+        used |= symbols if step.kind == SOLVED else symbols - stated
+    ids, by_laws = {step.id for step in kept}, any(step.kind in LAWS for step in kept)
+    checks = [s.id for s in steps if not s.gives and (not ids.isdisjoint(s.needs) or (by_laws and not s.needs))]
+    return [step for step in steps if step.id in ids or step.id in checks]
 
 
 def _renumbered(steps: Sequence[Step]) -> Iterator[Step]:
