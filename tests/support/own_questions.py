@@ -8,6 +8,7 @@ import sim2reason
 from sim2reason.datasets.solve import SolvedProblem
 from sim2reason.solutions.checking import recompute
 from sim2reason.solutions.data import as_data
+from sim2reason.solutions.writing.unit_latex import latex
 from sim2reason.testing.solutions.faults import faults
 from sim2reason.testing.solutions.reading import read
 
@@ -20,6 +21,7 @@ def solved(name: str, find: str, when: str = "", of: str = "") -> SolvedProblem:
     found = sim2reason.solve(next(DATA.glob(f"*_scenes/{name}.yaml")), find=find, when=when, of=of)
     assert found.answer is not None
     assert found.solution.answer == pytest.approx(found.answer, rel=1e-9), found.reason
+    assert found.solution.unit == latex(found.unit)
     assert not faults(found.solution, found.answer, 1e-6)
     assert not read(found.solution.text).broken
     assert recompute(as_data(found.solution)).agrees(found.answer, 1e-6)

@@ -1,4 +1,7 @@
-"""Extreme values at an end of a stretch of motion: the question about the value there, and why it is extreme."""
+"""Extreme values at an end of a part of a motion: the question about the value there, and why it is extreme.
+
+The part is the whole stretch that is asked about, or what goes before an event: an impact, burn-out, a turning point.
+"""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -17,6 +20,7 @@ from sim2reason.questions.moments.bounces import GROUND, Bounced, Landed, struck
 from sim2reason.questions.moments.burned_out import BurnedOut
 from sim2reason.questions.moments.parts.occurrence import VelocityJump
 from sim2reason.questions.moments.times import AtStart, WholeMotion
+from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.targets import Target
 from sim2reason.simulation.trace import IMPACTS
 from sim2reason.solutions.setting import Setting
@@ -64,7 +68,7 @@ def _same(one: float, other: float | None) -> bool:
 def _ends(setting: Setting, query: StretchQuery) -> Iterator[Moment]:
     """Yield the moments at which a stretch ends, of a jump of velocities also just before it, and begins.
 
-    Last comes the first impact of a body that bounces, which may be within the stretch.
+    Last come events of the body that may be within the stretch: its first impact, burn-out and turning point.
     """
     moment, study = query.moment, setting.study
     if isinstance(moment, WholeMotion):
@@ -78,6 +82,7 @@ def _ends(setting: Setting, query: StretchQuery) -> Iterator[Moment]:
     yield AtStart()
     if query.name in Bounced.candidates(setting.words):
         yield Bounced(query.name, after=False)
+    yield from (cls(query.name) for cls in (BurnedOut, Stopped) if query.name in cls.candidates(setting.words))
 
 
 def _value_at(moment: Moment, query: StretchQuery, functional: Extreme) -> Query:
@@ -91,8 +96,7 @@ def reason(setting: Setting) -> str:
     functional = FUNCTIONALS[query.functional] if query is not None else None
     if query is None or not isinstance(functional, Extreme):
         return ""
-    if isinstance(setting.query.moment, Bounced) and (said := _of_impact(setting)):
-        return said
+    event = _event_within(setting)
     trace, last = setting.study.trace, not isinstance(setting.query.moment, AtStart)
     times = np.linspace(0.0, _until(setting), SAMPLES + 1)
     state = trace.sample(times)
@@ -103,6 +107,10 @@ def reason(setting: Setting) -> str:
         who = setting.called(query.name)
         constant = f"No force has a component along the velocity of {who}, so its speed does not change."
         return constant if quantity in SPEEDS and little > 0.0 and not setting.mechanism.forces else ""
+    if event is not None:
+        grows = bool(np.diff(values[times <= event]).min(initial=0.0) >= -little)
+        falls = bool(np.diff(values[times >= event]).max(initial=0.0) <= little)
+        return _of_event(setting, quantity, turns=grows and falls)
     towards = values if last else values[::-1]  # the extreme value
     monotonic = bool(np.diff(towards).min() >= -little)
     if quantity in SPEEDS and any(e.kind in IMPACTS and 0.0 < e.time < times[-1] for e in trace.events):
@@ -166,6 +174,12 @@ def _of_speed(setting: Setting, course: _Course) -> str:
             f"All this time the acceleration of {who} has a component {way} its velocity, so its speed {changes},"
             f" and its {noun} is that {course.end}."
         )
+    if not changing(mechanism) and not steady:
+        return (
+            f"The acceleration of {who} is constant in each part of its motion, so the square of its speed is there a"
+            " quadratic function of the time that opens upward, greatest at one end of the part. A comparison of these"
+            f" ends shows that the {noun} is that {course.end}."
+        )
     if steady:
         return (
             f"The acceleration of {who} is constant, so the square of its speed is a quadratic function of the time"
@@ -174,21 +188,42 @@ def _of_speed(setting: Setting, course: _Course) -> str:
     return ""
 
 
-def _of_impact(setting: Setting) -> str:
-    """Return why a body that bounces is fastest just before its first impact; empty if the stretch ends there."""
+def _event_within(setting: Setting) -> float | None:
+    """Return the time, s, of an event with an extreme value that comes before the end of the stretch; else None."""
+    moment = setting.query.moment
+    time = setting.study.time(moment) if moment is not None else None
+    if time is None or isinstance(moment, AtStart) or not time < _until(setting) * (1.0 - SAME):
+        return None
+    return time
+
+
+def _of_event(setting: Setting, quantity: str, *, turns: bool) -> str:
+    """Return why an extreme value is at an event within the stretch; empty if it is not clear.
+
+    `turns` says that the quantity increases until then, and never does afterwards.
+    """
     moment, query = setting.query.moment, setting.extreme
     assert query is not None
-    assert isinstance(moment, Bounced)
-    time, quantity = setting.study.time(moment), FUNCTIONALS[query.functional]
-    later = time is not None and np.nextafter(time, 0.0) < _until(setting)
-    speed = isinstance(quantity, Extreme) and quantity.quantity.name in SPEEDS and quantity.sign > 0.0
-    if not (later and speed and _flies(setting.mechanism, query.name) and struck(setting.words, query.name) == GROUND):
-        return ""
-    return (
-        f"In flight only gravity does work on {setting.called(query.name)}, so that its kinetic energy increases as its"
-        f" height decreases. It is lowest at the ground, and no impact there increases its energy, so the"
-        f" {query.functional} is that just before the first impact."
-    )
+    who, name = setting.called(query.name), query.functional
+    if isinstance(moment, Bounced) and quantity in SPEEDS and _falls_to_ground(setting, query.name):
+        return (
+            f"In flight only gravity does work on {who}, so that its kinetic energy increases as its height decreases."
+            f" It is lowest at the ground, and no impact there increases its energy, so the {name} is that just before"
+            " the first impact."
+        )
+    if isinstance(moment, BurnedOut) and quantity in SPEEDS and turns:
+        return (
+            f"While fuel burns, the acceleration of {who} has a component along its velocity. After burn-out no force"
+            f" increases its speed in this time, so the {name} is that at burn-out."
+        )
+    if isinstance(moment, Stopped) and quantity in ("displacement", "height") and turns:
+        why = CHANGES[quantity][0].format(who=who)
+        return f"Until then {why}, and afterwards it does not get beyond, so the {name} is that where it comes to rest."
+    return ""
+
+
+def _falls_to_ground(setting: Setting, name: str) -> bool:
+    return _flies(setting.mechanism, name) and struck(setting.words, name) == GROUND
 
 
 def _flies(mechanism: Mechanism, name: str) -> bool:
