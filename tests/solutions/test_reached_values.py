@@ -34,6 +34,9 @@ RISE = 8.6 * sin(radians(59.0))  # the initial vertical velocity of the hopping 
         ("oscillator", "extension", "speed = 0.5 m/s", "", sqrt(0.01 - 0.5 * 0.25 / 50.0)),
         ("oscillator", "speed", "extension = 0.05 m", "", sqrt(100.0 * (0.01 - 0.0025))),
         ("skid", "displacement", "speed = 2 m/s", "", (36.0 - 4.0) / (2.0 * 0.25 * G)),
+        ("rocket", "displacement", "speed = 1640 m/s", "", None),
+        ("rocket", "kinetic energy", "speed = 1640 m/s", "", None),
+        ("rough_pair", "acceleration", "speed = 0.294 m/s", "block B", None),
         ("rolling_ball", "angular velocity", "speed = 3 m/s", "", 3.0 / 0.058),
     ],
 )

@@ -61,7 +61,10 @@ def instants(setting: Setting) -> Iterator[tuple[Moment, float]]:
     assert isinstance(reached, Reached)
     asked = (query.target.subject,) if query.target is not None else ()
     for quantity, classes in THRESHOLDS.items():
-        subjects = {name: None for cls in classes if cls is not Away for name in cls.candidates(setting.words)}
+        kept = (
+            [] if setting.mechanism.burns else [cls for cls in classes if cls is not Away]
+        )  # its mass hangs on the time
+        subjects = {name: None for cls in kept for name in cls.candidates(setting.words)}
         for subject in sorted(subjects, key=lambda name: name not in (*asked, reached.target.subject)):
             target = Target(quantity, subject)
             value = target.value(setting.study.trace.at(setting.time))

@@ -45,9 +45,13 @@ class InitialValue(Strategy):
 class _AtStart(Way):
     """Velocities at t = 0."""
 
-    @cached_property
+    @property
     def newton(self) -> Newton:
         """Return the laws of the first segment, for masses and directions alone."""
+        return self._newton
+
+    @cached_property
+    def _newton(self) -> Newton:
         return Newton(self.setting.lexicon, self.setting.motion.segments[0])
 
     def force(self, kind: str, name: str) -> Symbol:

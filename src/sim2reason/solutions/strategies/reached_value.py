@@ -124,9 +124,9 @@ def _with_stated_result(steps: Sequence[Step], parts: Sequence[Solution]) -> tup
         for relation in step.relations if len(step.gives) == 1 else ():
             stated = (name for name in first.stated if own.get(name) == relation.right)
             again |= {name: known for name in step.gives for known in stated if name not in (known, goal)}
-    kept = [renamed_step(step, again) for step in steps if again.keys().isdisjoint(step.gives)]
+    kept = [*_renumbered([renamed_step(step, again) for step in steps if again.keys().isdisjoint(step.gives)])]
     needed = _needed(goal, kept, {*first.stated})
-    if not any(first.goal in step.gives for step in needed):
+    if not any(first.goal in (*step.gives, *step.symbols()) for step in needed):
         kept = [_without(step, first.goal) for step in needed]
     return [*_renumbered(kept)], goal
 
@@ -155,18 +155,19 @@ def _needed(goal: str, steps: Sequence[Step], stated: AbstractSet[str]) -> list[
 
     What leads to a stated name is needed only if something is found from that name.
     """
-    used, found, kept = {goal}, set[str](), list[Step]()
     names = {name for step in steps for name in step.symbols()}
-    labels = {step.id: step.gives and names.isdisjoint(step.gives) for step in steps}  # of equations, not of values
-    for step in reversed(steps):
-        labelled = labels[step.id] and any(step.id in later.needs for later in kept)
-        if (used - found).isdisjoint(step.gives) and not labelled:
+    labels = {step.id for step in steps if step.gives and names.isdisjoint(step.gives)}  # of equations, not of values
+    source = {name: step for step in steps for name in step.gives}  # the last one, which finds what was unknown before
+    waiting, kept = [source[goal]] if goal in source else [], dict[int, Step]()
+    while waiting:
+        step = waiting.pop()
+        if step.id in kept:
             continue
-        kept.append(step)
-        found |= {*step.gives}
-        symbols = {*step.symbols()}
-        used |= symbols if step.kind == SOLVED else symbols - stated
-    ids, by_laws = {step.id for step in kept}, any(step.kind in LAWS for step in kept)
+        kept[step.id] = step
+        solves = step.kind == SOLVED
+        waiting += [source[name] for name in step.symbols() if name in source and name not in stated]
+        waiting += [steps[need] for need in step.needs if need in labels or (solves and stated & {*steps[need].gives})]
+    ids, by_laws = kept.keys(), any(step.kind in LAWS for step in kept.values())
     checks = [s.id for s in steps if not s.gives and (not ids.isdisjoint(s.needs) or (by_laws and not s.needs))]
     return [step for step in steps if step.id in ids or step.id in checks]
 
