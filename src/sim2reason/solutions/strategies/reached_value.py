@@ -17,7 +17,7 @@ from sim2reason.solutions.multipart.one_text import enter, in_one_text
 from sim2reason.solutions.multipart.recall import given_for
 from sim2reason.solutions.multipart.renaming import renamed_step, spoken
 from sim2reason.solutions.reached_values import instants, is_number_of, number_unit
-from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.solution import CHECKS, WELL, Relation, Solution, Step
 from sim2reason.solutions.solve import solve
 from sim2reason.solutions.strategies import Strategy, strategy
@@ -125,10 +125,31 @@ def _with_stated_result(steps: Sequence[Step], parts: Sequence[Solution]) -> tup
             stated = (name for name in first.stated if own.get(name) == relation.right)
             again |= {name: known for name in step.gives for known in stated if name not in (known, goal)}
     kept = [*_renumbered([renamed_step(step, again) for step in steps if again.keys().isdisjoint(step.gives)])]
+    kept = _with_found_values(kept, first)
     needed = _needed(goal, kept, {*first.stated})
     if not any(first.goal in (*step.gives, *step.symbols()) for step in needed):
         kept = [_without(step, first.goal) for step in needed]
     return [*_renumbered(kept)], goal
+
+
+def _with_found_values(steps: Sequence[Step], first: Solution) -> list[Step]:
+    """Return steps with the values of names that were written before the moment was known and are used after it."""
+    place = max((n for n, step in enumerate(steps) if first.goal in step.gives), default=len(steps))
+    formulas = {r.left.latex(): r for step in steps[:place] for r in step.relations if r.left.latex() in step.gives}
+    found = {name for step in steps[:place] if step.kind == SOLVED for name in step.gives} | {*first.stated}
+    open_names = {first.goal}
+    for name, relation in formulas.items():
+        if not open_names.isdisjoint(relation.right.symbols()) and name not in found:
+            open_names.add(name)
+    used = {name for step in steps[place + 1 :] for name in step.symbols()}
+    told = [formulas[name] for name in formulas if name in open_names & used]
+    if not told:
+        return [*steps]
+    said = joined([relation.latex(first.values[relation.left.latex()]) for relation in told])
+    sources = tuple(n for n, step in enumerate(steps) if {r.left.latex() for r in told} & {*step.gives})
+    relations = tuple(replace(relation, role="derived") for relation in told)
+    step = Step(len(steps), "moment", f"At this moment, {said}.", relations, (), (*sources, place))
+    return [*_renumbered([*steps[: place + 1], step, *steps[place + 1 :]])]
 
 
 def _without(step: Step, name: str) -> Step:
