@@ -16,7 +16,7 @@ from sim2reason.errors import TextError
 from sim2reason.quantities import QUANTITIES, Quantity, ordered
 from sim2reason.quantities.subjects import Sense
 from sim2reason.quantities.subjects.bodies import Bodies, TurningBodies
-from sim2reason.quantities.subjects.paths import center_path, turning_axes
+from sim2reason.quantities.subjects.paths import center_path, chain, turning_axes
 from sim2reason.questions.structured import StructuredQuestion, resolved, sense_named
 from sim2reason.questions.words import Words
 
@@ -92,6 +92,7 @@ class Noun:
 
 
 Targets = Mapping[Target, Noun]
+OF_RIGID_BODY = "angular velocity", "angular acceleration"  # have one value for all that is rigidly joined
 
 
 @lru_cache(maxsize=4)
@@ -112,6 +113,8 @@ def target_named(asked: StructuredQuestion, words: Words) -> Target:
     called = words.called(quantity.of)
     names = {name: called.get(name, name) for name in quantity.subjects(mechanism)}
     told = {name: said for name, said in names.items() if name in called}
+    if not asked.of and quantity.name in OF_RIGID_BODY and len({_moving(mechanism, name) for name in names}) == 1:
+        names = dict([next(iter(names.items()))])
     name = resolved("of", asked.of, names if asked.of or len(told) != 1 else told)
     if not _told(quantity, name, words):
         needed = ", ".join(quantity.needs)
@@ -126,6 +129,12 @@ def target_named(asked: StructuredQuestion, words: Words) -> Target:
     if not (quantity.vector or quantity.along) or not senses:
         raise TextError("along", f"{quantity.name} has no components here", "leave it out")
     return Target(quantity.name, name, sense_named("along", asked.along, senses))
+
+
+def _moving(mechanism: Mechanism, name: str) -> str:
+    """Return the name of the body to which a body is rigidly joined, and which can move in the room or on another."""
+    bodies = chain(mechanism, name)
+    return next((body.name for body in bodies if body.coordinates), bodies[-1].name)
 
 
 def _own_line(along: str, quantity: Quantity, mechanism: Mechanism, name: str) -> list[Sense]:

@@ -14,7 +14,7 @@ NOUNS: tuple[frozenset[str], ...] = tuple(
     for group in (
         "block box crate load parcel sled sledge weight",
         "ball bob sphere stone projectile marble shell rock",
-        "cart trolley glider car truck wagon",
+        "cart trolley glider car truck wagon carriage slider",
         "board plank slab block",
         "probe rocket spacecraft spaceship craft capsule",
         "bead particle ion ball charge",
