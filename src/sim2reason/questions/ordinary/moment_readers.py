@@ -27,7 +27,7 @@ LIFT_OFF = re.compile(r"\b(?:lift(?:s|ing|ed)?|tak(?:e|es|ing))[ -]?off\b")
 UP_WAY, DOWN_WAY = "up", "down"
 _SLOPING = re.compile(rf"\b(?:{GROUNDS}|uphill|downhill|its path)\b")
 _LENGTH = re.compile(r" (?:m|km|cm|mm|au)$")
-_FROM_START = re.compile(rf"#\d+# (?:away )?from (?:{HOME})")
+_FROM_START = re.compile(rf"(?:\bis|\bare|\bbe|@)(?: first| again)? #\d+# (?:away )?from (?:{HOME})")
 LAST = 10  # the rank of what is meant only where all else is not there
 Reader = Callable[[re.Match[str], Heard, str, str], Iterator[When]]
 """From what matched, the sentence, the subject of the question, and the side, to all moments that may be meant."""
