@@ -10,7 +10,7 @@ from sim2reason.quantities.subjects.axles import Pulleys
 from sim2reason.quantities.subjects.bodies import Bodies
 from sim2reason.quantities.subjects.lines import STRETCHED, Springs
 from sim2reason.quantities.subjects.pairs import AND
-from sim2reason.quantities.subjects.paths import EVEN
+from sim2reason.quantities.subjects.paths import EVEN, chain
 from sim2reason.quantities.subjects.rods import SwingingLines
 from sim2reason.questions.ordinary.vocabulary import DOWN, MOTIONS, ROLL, ROLLING, UP, WAYS, meant
 from sim2reason.questions.structured import StructuredQuestion
@@ -203,10 +203,17 @@ def line_of(said: str, words: Words) -> str:
     return next(iter(lines.values()))
 
 
-def is_light_arm(said: str, words: Words) -> bool:
-    """Return whether a phrase means a body without mass on an axle, such as a light arm that carries a ball."""
-    bodies = [body for body in words.mechanism.bodies if words.mentions.get(body.name) == said]
-    return any(body.mass == 0.0 and any(c.kind == "hinge" for c in body.coordinates) for body in bodies)
+def carried_by_light_arm(said: str, find: str, words: Words) -> tuple[str, ...]:
+    """Return the bodies that have a quantity and are carried by the light arm that a phrase means; none for another."""
+    mechanism = words.mechanism
+    arms = {
+        body.name
+        for body in mechanism.bodies
+        if words.mentions.get(body.name) == said and body.mass == 0.0 and not any(body.inertia)
+    }
+    turning = {name for name in arms if any(c.kind == "hinge" for c in mechanism.body[name].coordinates)}
+    held = {name: {carrier.name for carrier in chain(mechanism, name)[1:]} for name in all_of(find, words)}
+    return tuple(name for name, carriers in held.items() if carriers & turning)
 
 
 def fixed_end(words: Words) -> tuple[str, ...]:
