@@ -118,6 +118,11 @@ def test_there_is_as_much_room_as_it_takes() -> None:
             "How long does the planet take to complete one orbit, counted from t = 0?",
             "flies off for ever",
         ),
+        (
+            ramp(angle=30.0, friction=0.1, speed=6.0),
+            "Find the time from t = 0 until the block has moved 30 m.",
+            "turns back before it has moved so far",
+        ),
         (atwood(), "Find the time from release until block A has moved 900 m.", "the description of the motion ends"),
         (planet(5.0), "How long after t = 0 is the planet first 9.0 au from its starting point?", "repeats itself"),
     ],

@@ -6,14 +6,25 @@ from plain_scenes import G, ramp
 from sim2reason.questions.following import motion_of
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.parse_question import parse_question
-from sim2reason.questions.posing import values_giving, why_not_one
+from sim2reason.questions.posing import posed, values_giving, why_not_one
 from sim2reason.questions.prompt import words_of
+from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.unknown import range_of
 from sim2reason.questions.words import Words
+from sim2reason.scenes.files import loads
 from sim2reason.text.prose.description import describe
 
 SLIDING = ramp(angle=0.0, friction=0.05, speed=5.0)
 SPEED, FRICTION = "ramp.speed", "ramp.plane.friction"
+HAND = """
+scene:
+  entities:
+  - name: well
+    type: MassWithFixedPulley
+    parameters: {system: {kind: hanging, blocks: [{mass: 9}]}, pulley: {mass: 0}}
+  - {name: hand, type: ConstantForcePuller, parameters: {force: 110}}
+  connections: [{tendon: [{entity: well, direction: tail}, {entity: hand, direction: end}]}]
+"""
 
 
 def found(question: str, given: float, path: str) -> tuple[list[float], str]:
@@ -62,3 +73,29 @@ def test_a_prompt_says_why_it_has_no_answer() -> None:
     )
     assert asked.answer is None
     assert asked.reason.startswith("no value of $m$")
+
+
+@pytest.mark.parametrize(
+    ("given", "end", "force"),
+    [
+        ("acceleration = 0", "", 9.0 * G),
+        ("net force = 0", "", 9.0 * G),
+        ("acceleration = 0.001, least", "least", 9.0 * (G - 1e-3)),
+        ("acceleration = 0.001, greatest", "greatest", 9.0 * (G + 1e-3)),
+    ],
+)
+def test_a_magnitude_is_small_without_a_change_of_sign(given: str, end: str, force: float) -> None:
+    """A hand that pulls with m g holds the block on the other end of the string."""
+    scene = loads(HAND)
+    motion, words = motion_of(scene), words_of(describe(scene))
+    asked = posed(StructuredQuestion("hand.force", when="at start", given=given), motion, words)
+    assert asked.end == end
+    assert asked.followed(motion).answer == pytest.approx(force, rel=1e-6)
+
+
+def test_no_number_gives_what_is_beyond_a_minimum() -> None:
+    """A magnitude is never negative."""
+    scene = loads(HAND)
+    motion, words = motion_of(scene), words_of(describe(scene))
+    asked = posed(StructuredQuestion("hand.force", when="at start", given="acceleration = -1"), motion, words)
+    assert asked.followed(motion).reason.startswith("no value of ")

@@ -81,6 +81,17 @@ def test_a_block_that_slides_down_is_somewhere_at_the_textbook_time() -> None:
     assert Moved(BLOCK, 1e3).time(trace) is None
 
 
+def test_where_a_block_comes_only_after_it_has_turned_back_it_has_not_moved_however_long_the_motion() -> None:
+    """A block sent up a slope at 6 m/s stops after 3.7 m and slides back; a long motion has few samples there."""
+    scene, moment = ramp(angle=30.0, speed=6.0), Moved(BLOCK, 30.0)
+    for duration in (8.0, 256.0):
+        trace = simulate(scene, duration)
+        assert moment.time(trace) is None
+        assert moment.comes_later(trace)
+        assert not Moved(BLOCK, 1.0).comes_later(trace)
+        assert Moved(BLOCK, 1.0).time(trace) is not None
+
+
 def test_what_a_collision_sends_back_is_spoken_of_by_its_distance_from_its_start() -> None:
     """A cart of 0.1 kg at 1 m/s meets one of 1 kg after 1 m, and comes back at 9/11 m/s: 1.5 m behind at 73/18 s."""
     scene = squeezed(heavy=0.1)

@@ -19,7 +19,7 @@ from sim2reason.questions.posing import PosedQuestion, findable, posed
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.structured import StructuredQuestion, moment_named, moment_told, resolved
 from sim2reason.scenes.dsl.scene import Scene
-from sim2reason.scenes.files import load
+from sim2reason.scenes.files import load, loads
 from sim2reason.text.prose.description import describe
 
 SLIDING = ramp(angle=0.0, friction=0.05, speed=5.0)
@@ -179,3 +179,17 @@ def test_names_as_people_say_them() -> None:
         resolved("of", "", names)
     assert resolved("of", "", {"one": "it"}) == "one"
     assert len(table().bodies) > 1
+
+
+@pytest.mark.parametrize("find", ["angular velocity", "angular acceleration"])
+def test_what_turns_as_one_body_has_one_angular_velocity(find: str) -> None:
+    """An arm and a rod that is welded to it: which of them is meant need not be said; their energies differ."""
+    scene = loads(
+        "scene: {entities: [{name: arm, type: RotationEntity, parameters: {angle: 60, pieces: [{kind: axial_piece,"
+        " distance: 1, axis: along the arm, body: {kind: uniform_rod, mass: 3, length: 2}}]}}]}"
+    )
+    answer = found(scene, find=find, when="at 0.4 s").answer
+    assert answer == found(scene, find=find, of="arm.arm", when="at 0.4 s").answer
+    assert answer == found(scene, find=find, of="arm.pieces.0.body", when="at 0.4 s").answer
+    with pytest.raises(TextError, match="does not say what it is about"):
+        found(atwood(), find="velocity", when="at 0.4 s")

@@ -10,12 +10,15 @@ from plain_scenes import ramp
 from sim2reason.errors import SimulationError
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.questions import KINDS, MODES, Study, Words
+from sim2reason.questions.following import UNDECIDED, motion_of
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.outcomes import OUTCOMES, Onset
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.phrasing import sentence
+from sim2reason.questions.posing import posed
 from sim2reason.questions.prompt import prompt, words_of
 from sim2reason.questions.simplifications import SIMPLIFICATIONS
+from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.trial import Trial
 from sim2reason.scenes.bodies.pendulums import Ball, Cord, LightRod
 from sim2reason.scenes.bodies.planes import Incline, Plane
@@ -30,12 +33,23 @@ from sim2reason.scenes.entities.parts.rolling import Rough
 from sim2reason.scenes.entities.pendulums import Pendulum
 from sim2reason.scenes.entities.pulleys import MassWithFixedPulley
 from sim2reason.scenes.entities.rolling import RollingEntity
+from sim2reason.scenes.files import loads
 from sim2reason.simulation.scenes import simulate
 from sim2reason.simulation.trace import Trace
 from sim2reason.text.prose.description import describe
 from sim2reason.text.prose.voices import hiding
 
 G = 9.8
+LOOP = """
+scene:
+  entities:
+  - {{name: lift, type: MassWithReverseMovablePulley, parameters: {{pulley: {{mass: 0}}, load: {{mass: {mass}}}}}}}
+  - {{name: hook, type: FixedSupport}}
+  - {{name: hand, type: ConstantForcePuller, parameters: {{force: 5}}}}
+  connections:
+  - tendon: [{{entity: hook, direction: end}}, {{entity: lift, direction: left}}]
+  - tendon: [{{entity: lift, direction: right}}, {{entity: hand, direction: end}}]
+"""
 
 
 def study(scene: Scene) -> Study:
@@ -105,6 +119,26 @@ def test_a_block_slips_from_the_angle_of_friction_on() -> None:
     assert found is not None
     assert tan(radians(found)) == pytest.approx(0.3, rel=1e-7)
     assert critical(scene, "slides", "ramp.blocks.0", "ramp.blocks.0.mass") is None
+
+
+@pytest.mark.parametrize(("mass", "force"), [(4.0, 2.0), (80.0, 40.0), (8e3, 4e3)])
+def test_a_limit_is_found_within_the_usual_range_of_a_number_and_beyond(mass: float, force: float) -> None:
+    """A hand at a loop of string under a light pulley holds the pulley's load with half its weight."""
+    scene = loads(LOOP.format(mass=mass))
+    found = critical(scene, "rises", "lift.load", "hand.force")
+    assert found == pytest.approx(force * G, rel=1e-6)
+    words = words_of(describe(scene))
+    asked = posed(StructuredQuestion("hand.force", when="lift.load rises"), motion_of(scene), words)
+    assert asked.followed(motion_of(scene)).answer == pytest.approx(force * G, rel=1e-6)
+
+
+def test_that_a_number_decides_nothing_is_the_reason() -> None:
+    """How heavy a block is does not matter to whether it slips."""
+    scene = ramp(angle=25.0, friction=0.3)
+    asked = posed(StructuredQuestion("ramp.blocks.0.mass", when="slides"), motion_of(scene), words_of(describe(scene)))
+    found = asked.followed(motion_of(scene))
+    assert found.answer is None
+    assert found.reason == UNDECIDED
 
 
 def test_a_rod_goes_right_round_if_it_gets_to_the_top() -> None:

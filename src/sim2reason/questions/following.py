@@ -10,6 +10,7 @@ from sim2reason.errors import SimulationError
 from sim2reason.questions.dependence import roomy
 from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.kinds.parts.nested import NestedQuery, answered
+from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.times import WholeMotion
 from sim2reason.questions.query import Query
 from sim2reason.questions.recurrence import nothing_new, why_never
@@ -24,6 +25,7 @@ SHORTER, TRIES = 0.25, 8  # times as long, where a motion can't be followed; and
 ROOM = "reach"  # what ends a motion for which lengths that the text does not say are too short
 ENDLESS = "nothing ends this motion, since the text leaves open how far it can go; say up to which moment"
 ALIKE = 1e-9  # relative: answers that differ by less do not depend on how far a motion goes
+UNDECIDED = "it happens for every value of that number, or for none, or the number has several such limits"
 FOLLOWED_NO_LONGER = "followed no longer"  # how a reason ends where one motion takes all the work that is allowed
 BEFORE = 1.0 - 1e-6  # of the time at which a motion becomes singular: until then it is followed
 
@@ -136,6 +138,8 @@ def _looked_for(query: Query, study: Study) -> tuple[float | None, str]:
         return None, f"at {time or 0.0:.6g} {unit} the scene leaves it open: more forces hold than equations tell"
     if isinstance(query, NestedQuery):
         return None, _why_not_nested(query, study)
+    if isinstance(query, ThresholdQuery):
+        return None, UNDECIDED
     if time is None and (query.moment is not None or kind.awaited):
         return None, why_never(query.moment, trace)
     return None, "the scene has no such value" if time is None else f"it has no value at {time:.6g} {unit}"

@@ -19,7 +19,7 @@ from sim2reason.scenes.dsl.vectors import Vector
 from sim2reason.simulation.quantities import QUANTITIES, Quantity, ordered
 from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies
-from sim2reason.simulation.quantities.subjects.paths import center_path, turning_axes
+from sim2reason.simulation.quantities.subjects.paths import center_path, chain, turning_axes
 
 OWN_PATH, OWN_AXLE = "its path", "its axle"
 """Directions that the text need not name: of the line along which a body moves, of the axle about which it turns."""
@@ -93,6 +93,7 @@ class Noun:
 
 
 Targets = Mapping[Target, Noun]
+OF_RIGID_BODY = "angular velocity", "angular acceleration"  # have one value for all that is rigidly joined
 
 
 @lru_cache(maxsize=4)
@@ -113,6 +114,8 @@ def target_named(asked: StructuredQuestion, words: Words) -> Target:
     called = words.called(quantity.of)
     names = {name: called.get(name, name) for name in quantity.subjects(mechanism)}
     told = {name: said for name, said in names.items() if name in called}
+    if not asked.of and quantity.name in OF_RIGID_BODY and len({_moving(mechanism, name) for name in names}) == 1:
+        names = dict([next(iter(names.items()))])
     name = resolved("of", asked.of, names if asked.of or len(told) != 1 else told)
     if not _told(quantity, name, words):
         needed = ", ".join(quantity.needs)
@@ -127,6 +130,12 @@ def target_named(asked: StructuredQuestion, words: Words) -> Target:
     if not (quantity.vector or quantity.along) or not senses:
         raise TextError("along", f"{quantity.name} has no components here", "leave it out")
     return Target(quantity.name, name, sense_named("along", asked.along, senses))
+
+
+def _moving(mechanism: Mechanism, name: str) -> str:
+    """Return the name of the body to which a body is rigidly joined, and which can move in the room or on another."""
+    bodies = chain(mechanism, name)
+    return next((body.name for body in bodies if body.coordinates), bodies[-1].name)
 
 
 def _own_line(along: str, quantity: Quantity, mechanism: Mechanism, name: str) -> list[Sense]:

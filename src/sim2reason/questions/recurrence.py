@@ -10,6 +10,7 @@ import numpy as np
 from sim2reason.questions.choices import STILL, apart
 from sim2reason.questions.crossing import crossings
 from sim2reason.questions.moments import Moment
+from sim2reason.questions.moments.distances import Moved
 from sim2reason.questions.moments.parts.passage import Threshold
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.scenes.dsl.constancy import changing
@@ -218,6 +219,7 @@ def why_never(moment: Moment | None, trace: Trace) -> str:
         return ""
     period = _period(trace)
     reasons = {
+        "what moves turns back before it has moved so far": isinstance(moment, Moved) and moment.comes_later(trace),
         f"everything is at rest for good from {last} on": ends_at_rest(trace),
         f"the motion repeats itself every {period or 0.0:.6g} {unit}": period is not None
         and trace.stable_until > (getattr(moment, "number", 1) + 1) * period,

@@ -9,7 +9,7 @@ import numpy as np
 from sim2reason.errors import SceneError, SimulationError, UnsupportedError
 from sim2reason.questions.outcomes import PossibleOutcome
 from sim2reason.questions.study import COARSE, ENOUGH, Study
-from sim2reason.questions.unknown import range_of, usual_range, with_number
+from sim2reason.questions.unknown import beyond_range, range_of, usual_range, with_number
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, FINEST
 
@@ -79,9 +79,15 @@ class Trial:
         return None
 
     def change(self) -> float | None:
-        """Return where the outcome changes, if it does so just once in the number's range."""
-        turns = self._turns(range_of(self._scene, self._path)) if self._roughly() is not None else []
+        """Return where the outcome changes, if it does so just once in the number's range, or else up to far beyond."""
+        usual = range_of(self._scene, self._path)
+        turns = self._turns(usual) if self._roughly() is not None else self._far_turns(usual)
         return self.between(*turns[0]) if len(turns) == 1 else None
+
+    def _far_turns(self, usual: tuple[float, ...]) -> list[tuple[float, float]]:
+        """Between which neighbours it changes in the number's range and beyond, no more than two such pairs."""
+        beyond = beyond_range(self._scene, self._path)
+        return self._turns(sorted({*usual, *(value for values in beyond for value in values)})) if beyond else []
 
     def changes_at(self, value: float, *, above: bool, error: float = FINEST) -> bool:
         """Return whether the outcome comes about just above a value and not just below it, or else the other way round.

@@ -23,6 +23,21 @@ STEPPED = scene(
 )
 
 
+CARRIED = """
+scene:
+  entities:
+  - {name: rail, type: SliderMass, parameters: {carriage: {mass: 3}}}
+  - name: arm
+    type: RigidPendulum
+    parameters:
+      angle: 60
+      pieces:
+      - {kind: ball_piece, distance: 1, body: {mass: 1}}
+      - {kind: ball_piece, distance: 0.5, side: on the same side, body: {mass: 2}}
+  connections: [{pivot: [{entity: rail, direction: pivot}, {entity: arm, direction: axle}]}]
+"""
+
+
 def charge(mass: float, sign: str = "negative") -> Scene:
     """A charge that a magnetic field turns, of a mass in mg."""
     return scene(
@@ -71,3 +86,20 @@ def test_what_rises_first_has_no_one_time_of_fall(height: float, angle: float) -
     """It may be counted from the throw or from the highest point."""
     with pytest.raises(TextError, match="does not only fall"):
         solve(thrown(height, angle), question="How long does the ball take to fall?")
+
+
+def test_the_energy_of_a_light_arm_is_that_of_what_it_carries() -> None:
+    """Not that of the trolley under it, too, nor is a wheel without a mass an arm that carries blocks."""
+    swung = loads(CARRIED)
+    arm, trolley, whole = (
+        solve(swung, question=f"What is the {energy} after 0.3 s?").answer or 0.0
+        for energy in (
+            "kinetic energy of the arm",
+            "kinetic energy of the trolley",
+            "total kinetic energy of the system",
+        )
+    )
+    assert 0.0 < trolley < arm < whole
+    assert arm + trolley == pytest.approx(whole, rel=1e-9)
+    with pytest.raises(TextError, match="not understood"):
+        solve(STEPPED, question="What is the kinetic energy of the pulley after 2 s?")

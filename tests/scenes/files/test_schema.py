@@ -1,6 +1,7 @@
 """The JSON schema and the page on the format say what the classes say."""
 
 import copy
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -112,3 +113,17 @@ def test_every_type_is_told_in_both_spellings() -> None:
 def test_the_committed_page_is_current() -> None:
     page = Path(__file__).parents[3] / "docs" / "scene-format.md"
     assert page.read_text(encoding="utf-8") == format_page(), "run: sim2reason schema --page -o docs/scene-format.md"
+
+
+def test_no_choice_holds_a_comma() -> None:
+    """A list of choices is read by its commas, and so is a flow mapping in YAML."""
+
+    def choices(held: Any) -> Iterator[str]:  # noqa: ANN401 - JSON of any kind
+        if isinstance(held, dict):
+            yield from (str(value) for value in held.get("enum", ()))
+        for value in held.values() if isinstance(held, dict) else held if isinstance(held, list) else ():
+            yield from choices(value)
+
+    found = set(choices(schema()))
+    assert {"above", "on the same side as the first body"} <= found
+    assert not [value for value in found if "," in value]

@@ -181,3 +181,15 @@ def test_coordinates_go_on_where_a_motion_is_begun_again() -> None:
     mechanism = load(SCENES / "dull_carts.yaml").mechanism
     later = displaced(mechanism, [0.1, -0.2], [0.0, 0.0])
     assert [place[1] for each in later.coordinates if (place := each.stated)] == pytest.approx([-1.34, -1.18])
+
+
+@pytest.mark.parametrize(
+    ("time", "force"),
+    [(0.0, 1.602e-19 * 2000.0), (1e-9, 1.602e-19 * 2000.0), (2.4e-9, 1.602e-19 * 2000.0), (2.6e-9, 0.0)],
+)
+def test_a_field_in_a_region_acts_there_and_on_its_border_alone(time: float, force: float) -> None:
+    """An electron crosses the field between two plates of 5 cm in 2.5 ns, beginning at their edge."""
+    scene = load(SCENES / "crt.yaml")
+    motion, words = motion_of(scene), words_of(describe(scene))
+    asked = posed(StructuredQuestion("electric force", when=f"at {time} s"), motion, words)
+    assert asked.followed(motion).answer == pytest.approx(force * 1e6, rel=1e-9)  # in the text's µN

@@ -149,9 +149,17 @@ class Moved(DistanceThreshold):
     def time(self, trace: Trace) -> float | None:
         """Return when it is first so far away; if it has not turned back before, unless it may, or collides."""
         found = first_crossing(trace, self.excess)
-        if found is None or self.towards or _collides(trace.mechanism, self.name):
-            return found
-        return None if _turns_back(trace, self.name, found) else found
+        return None if found is not None and self._turns_back(trace, found) else found
+
+    def comes_later(self, trace: Trace) -> bool:
+        """Return whether it is as far away only after it has turned back."""
+        found = first_crossing(trace, self.excess)
+        return found is not None and self._turns_back(trace, found)
+
+    def _turns_back(self, trace: Trace, until: float) -> bool:
+        """Return whether it reverses before a time, and may not."""
+        allowed = self.towards or _collides(trace.mechanism, self.name)
+        return not allowed and _turns_back(trace, self.name, until)
 
     def in_symbols(self, trace: Trace) -> Self:
         """On the side on which it is in a motion, if it may turn back."""
@@ -223,7 +231,8 @@ def _collides(mechanism: Mechanism, name: str) -> bool:
 def _turns_back(trace: Trace, name: str, until: float) -> bool:
     """Return whether a body that moves along a line reverses before a time."""
     way = np.array(center_path(trace.mechanism, name).ways[0])
-    speeds = (Velocity.evaluate(trace.scan, name) @ way)[trace.scan.times <= until]
+    before = (Velocity.evaluate(trace.scan, name) @ way)[trace.scan.times <= until]
+    speeds = np.append(before, Velocity.evaluate(trace.at(until), name) @ way)  # long motions have few samples
     return bool(speeds.min(initial=0.0) * speeds.max(initial=0.0) < -1e-9 * float(np.abs(speeds).max(initial=0.0)) ** 2)
 
 

@@ -144,6 +144,7 @@ CLAUSES: Mapping[str, Reader] = {
     "{n} after START": read.at,
     "{n}[ have passed| has passed| have elapsed]": read.at,
     "first {n}[ after START| of motion]": read.at,
+    "{n}[ of travel| of path| of its path]": read.covered,
     "first second[ after START| of motion]": read.second,
     "[very ]START[ of motion]": place.begun,
     "[{s} ]~{motion=MOTION} [first |distance of ]{n}[ {way=WAY}| ALONG_IT]": read.moved,

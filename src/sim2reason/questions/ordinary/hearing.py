@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from sim2reason.questions.moments.parts.occurrence import rolls
 from sim2reason.questions.ordinary.asides import without_asides, without_leads
 from sim2reason.questions.ordinary.base_forms import verb_forms
+from sim2reason.questions.ordinary.described_bodies import with_letters
 from sim2reason.questions.ordinary.named_lines import between, group, named_lines, swinging_lines, with_particles
 from sim2reason.questions.ordinary.rewording import reworded
 from sim2reason.questions.ordinary.vocabulary import ANYTHING, NOUNS, QUANTITIES, WORDS, either
@@ -109,7 +110,7 @@ def hear(sentence: str, words: Words) -> Heard:
             subjects.append(phrase)
         return f"@{subjects.index(phrase)}@"
 
-    text = _with_pulleys(with_particles(_ADJECTIVES.sub("", text), words), words)
+    text = with_letters(_with_pulleys(with_particles(_ADJECTIVES.sub("", text), words), words), words)
     text = _OWN_ADJECTIVES.sub("", text)
     for phrase, called in _patterns(words):
         text = called.sub(lambda _, phrase=phrase: token(phrase), text)

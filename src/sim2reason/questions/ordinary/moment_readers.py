@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from math import tau
 
+from sim2reason.questions.ordinary.clause_heads import HOME
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.multiples import LONG
 from sim2reason.questions.ordinary.vocabulary import (
@@ -25,6 +26,8 @@ LINES = "horizontal", "vertical", "x", "y"
 LIFT_OFF = re.compile(r"\b(?:lift(?:s|ing|ed)?|tak(?:e|es|ing))[ -]?off\b")
 UP_WAY, DOWN_WAY = "up", "down"
 _SLOPING = re.compile(rf"\b(?:{GROUNDS}|uphill|downhill|its path)\b")
+_LENGTH = re.compile(r" (?:m|km|cm|mm|au)$")
+_FROM_START = re.compile(rf"(?:\bis|\bare|\bbe|@)(?: first| again)? #\d+# (?:away )?from (?:{HOME})")
 LAST = 10  # the rank of what is meant only where all else is not there
 Reader = Callable[[re.Match[str], Heard, str, str], Iterator[When]]
 """From what matched, the sentence, the subject of the question, and the side, to all moments that may be meant."""
@@ -157,10 +160,19 @@ def moved(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterat
         yield When(f"displacement of {who} along {axis} = {sign}{number}", side, ways if axis == "vertical" else ())
     else:
         yield When(f"{who} moved {number}", side, ways)
+        if _FROM_START.search(heard.text) is not None:  # where it may be after it has turned back, too
+            yield When(f"displacement of {who} = {number}", side, ways)
         yield When(f"{who} away {number}", side, (*ways, (who, STRAIGHT)), rank=LAST)
         along = _SLOPING.search(found[0]) is not None  # then it is no height
         for sign in ("-" if way == DOWN_WAY else "" for _, way in ways if way in (UP_WAY, DOWN_WAY) and not along):
             yield When(f"displacement of {who} along vertical = {sign}{number}", side, ways, rank=LAST)
+
+
+def covered(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
+    """Yield the moment when the subject of a question has moved a length that stands alone, as in *after 3 m*."""
+    number = heard.number(found["n"])
+    if side in (AFTER, DURING) and _LENGTH.search(number) is not None:
+        yield When(f"{subject} moved {number}", side)
 
 
 def relatively(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:

@@ -10,6 +10,7 @@ from sim2reason.questions.ordinary.vocabulary import GROUNDS, PHRASES, QUANTITIE
 from sim2reason.questions.ordinary.wanted_row import WantedRow
 
 _ASKS = re.compile(r"\b(?:what|which|where|find|determine|calculate|compute|give|how|obtain|work out|when)\b")
+_WORK_OUT = re.compile(r"\bwork out\b")
 _SUPPOSES = re.compile(
     r"\b(?:would|must|should|could|need|needed|required|if|not|half|without|more|less|average|mean|next|last(?= \w)"
     r"|another|second|third|(?:with|for|at|such) (?:which|that))\b"
@@ -20,7 +21,7 @@ _ON_GROUND = re.compile(rf"\bon (?:{GROUNDS})")  # a force on that
 _LOOSE = frozenset(
     re.split(
         " ",
-        "what which find determine calculate compute give how obtain work out large big great strong much high "
+        "what which find determine calculate compute give how obtain large big great strong much high "
         "value size magnitude amount long of in on that for at with to by it its 's the a an , during while and "
         "along reach attain achieve acquire possess get go exert act experience undergo feel provide supply have "
         "exist between as from due upon body thing numerical modulus strength kind sort measured occur happen arise "
@@ -62,7 +63,7 @@ def paraphrased(question: str) -> Iterator[str]:
     if re.search(r"\b(?:does|do|did|will) @\d+@ (?:get )?(?:stretch|compress|extend|shorten|lengthen)", question):
         return  # a change of the length, maybe not counted from the natural length
     text = " ".join(WAY.sub(lambda found: f" <{way_of(found['way'])}> ", _singular(question)).split())
-    text = based(text)
+    text = _WORK_OUT.sub("find", based(text))
     for row in ROWS:
         yield from _filled(row, text)
 

@@ -10,6 +10,7 @@ from sim2reason.questions.ordinary.moment_readers import LAST, LIFT_OFF, apsis, 
 from sim2reason.questions.ordinary.multiples import AT_BURNOUT, GREATEST, LONG, TIMES
 from sim2reason.questions.ordinary.vocabulary import (
     ACROSS,
+    BALANCED,
     CENTRAL,
     COMPRESSED,
     DIES_AWAY,
@@ -147,12 +148,12 @@ def apart(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterat
 
 def balanced(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
     """Yield the moment when a body on one spring is at equilibrium, or at a given distance from equilibrium."""
-    del subject
     number = found.groupdict().get("n")
     told = f"extension = {heard.number(number)}" if number else "natural length"
     yield When(told, side, (("", RELAXED),))
     if not number:
         yield When("equilibrium", side, (("", PLACED),))
+        yield When(f"{subject_of(found, heard, subject)} fastest", side, (("", BALANCED),))
 
 
 def strained(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:

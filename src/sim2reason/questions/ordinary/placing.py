@@ -20,9 +20,9 @@ from sim2reason.questions.ordinary.whens import (
     ORBITAL,
     addresses,
     all_of,
+    carried_by_light_arm,
     each_of,
     fixed_end,
-    is_light_arm,
     line_of,
     relaxed_again,
     strained,
@@ -92,8 +92,8 @@ def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
         return _together(asked.find, words) or each_of(asked.find, words)
     if asked.of == FIXED_END:
         return fixed_end(words)
-    if asked.find in ENERGIES and is_light_arm(asked.of, words):
-        return _together(asked.find, words)
+    if asked.find in ENERGIES and (carried := carried_by_light_arm(asked.of, asked.find, words)):
+        return (PLUS.join(carried),)
     return (line_of(asked.of, words),) if asked.find in DEFLECTIONS else _named(asked, words)
 
 

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from sim2reason.questions.following import Followed
+from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.questions.ordinary.hearing import ALL
 from sim2reason.questions.ordinary.presumed_of_scenes import PRESUMED, borne, held
 from sim2reason.questions.ordinary.presumptions import EVEN, STEADY, Case, alone, named
@@ -26,7 +27,7 @@ from sim2reason.questions.study import Study
 from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.state import State
 from sim2reason.simulation.quantities import QUANTITIES
-from sim2reason.simulation.quantities.kinematics import Displacement, Velocity
+from sim2reason.simulation.quantities.kinematics import Acceleration, Displacement, Velocity
 from sim2reason.simulation.quantities.positions import Height
 from sim2reason.simulation.quantities.subjects.bodies import Bodies
 from sim2reason.simulation.quantities.subjects.paths import center_path
@@ -88,6 +89,17 @@ def two_sided(query: Query, study: Study, side: str) -> bool:
     before, then = (target.value(study.trace.at(instant)) for instant in (float(np.nextafter(time, 0.0)), time))
     size = float(np.nanmax(np.abs(target.values(study.trace.scan)), initial=0.0))  # of what is zero there
     return abs(before - then) > STEADY * max(abs(before), abs(then)) and abs(before - then) > EVEN * size
+
+
+def bounces_before(moment: Stopped, trace: Trace) -> bool:
+    """Return whether a body hits something fixed before it first stops, and only turns back where it does."""
+    time = moment.time(trace)
+    if time is None:
+        return False
+    hits = any(
+        event.kind == "collision" and event.subjects == (moment.name,) and event.time < time for event in trace.events
+    )
+    return hits and float(np.linalg.norm(Acceleration.evaluate(trace.at(time), moment.name))) > EVEN
 
 
 def presumed(reading: Reading, followed: Followed, query: Query, words: Words) -> Iterator[str]:

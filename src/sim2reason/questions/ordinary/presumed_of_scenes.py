@@ -6,9 +6,10 @@ from dataclasses import replace
 import numpy as np
 
 from sim2reason.questions.moments.parts.reached import Reached
-from sim2reason.questions.ordinary.presumptions import EVEN, OTHERS, STEADY, Case, named, one_way
+from sim2reason.questions.ordinary.presumptions import EVEN, OTHERS, STEADY, Case, named, one_way, relaxed_at_rest
 from sim2reason.questions.ordinary.vocabulary import (
     ACROSS,
+    BALANCED,
     BESIDE,
     CENTERED,
     CENTRAL,
@@ -40,6 +41,7 @@ from sim2reason.simulation.quantities.subjects.bodies import Bodies
 from sim2reason.simulation.quantities.subjects.lines import Springs
 from sim2reason.simulation.quantities.subjects.paths import center_path, chain
 from sim2reason.simulation.quantities.subjects.rods import SwingingLines
+from sim2reason.simulation.rest.equilibrium import equilibrium
 
 
 def _address(said: str, words: Words) -> str:
@@ -102,12 +104,22 @@ def borne(who: str, on: str, words: Words) -> bool:
 
 
 def _placed(case: Case) -> bool:
-    """Return whether a question asks for a displacement, an extension or the length of a spring."""
+    """Return whether a question asks for a displacement, a height, an extension or the length of a spring."""
     return case.query.target is not None and case.query.target.quantity in (
         "displacement",
+        "height above the start",
         "extension",
         "spring length",
     )
+
+
+def _balanced(case: Case) -> bool:
+    """Return whether all bodies are where they would stay at rest, and the springs have not their natural lengths."""
+    rest, trace = equilibrium(case.words.mechanism), case.followed.study.trace
+    if rest is None or rest.free or relaxed_at_rest(case):
+        return False
+    away = np.abs(trace.at(case.then).q[0] - rest.coordinates)
+    return bool((away <= STEADY * np.ptp(trace.scan.q, axis=0)).all())
 
 
 def _rising(case: Case) -> bool:
@@ -252,6 +264,7 @@ PRESUMED: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     DRAWN: ("no hand pulls {who}", _drawn),
     LIGHT: ("{who} has a weight of its own", _light),
     SIDEWAYS: ("{who} goes along one line", _sideways),
+    BALANCED: ("the motion does not pass through an equilibrium where it is fastest", _balanced),
     PLACED: ("that is not a matter of the place alone", _placed),
     LIFTS: ("{who} does not lift off at first", _lifts),
     GOES_UP: ("{who} is not on its way up then", _rising),

@@ -131,7 +131,7 @@ def _stretched(case: Case) -> bool:
     return float(Extension.evaluate(case.followed.study.trace.at(case.then), spring)[0]) > 0.0
 
 
-def _relaxed_at_rest(case: Case) -> bool:
+def relaxed_at_rest(case: Case) -> bool:
     """Return whether the only spring is neither stretched nor compressed in equilibrium."""
     rest = equilibrium(case.words.mechanism)
     springs = list(case.words.called(Springs()))
@@ -271,7 +271,7 @@ OTHERS: Mapping[str, tuple[str, Callable[[Case], bool]]] = {
     SMALL: ("the oscillations are not small, and their period depends on how far they go", _small),
     SLOWER: ("{who} does not slow down", _slower),
     COMPRESSED: ("{who} is not compressed", _compressed),
-    RELAXED: ("the spring is not relaxed in equilibrium", _relaxed_at_rest),
+    RELAXED: ("the spring is not relaxed in equilibrium", relaxed_at_rest),
     ONCE: ("it is not the first collision", _once),
     ONLY: ("it is not the only collision", _only),
     ONE_WAY: ("{who} goes sideways, too", one_way),

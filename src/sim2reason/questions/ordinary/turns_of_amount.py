@@ -43,6 +43,11 @@ AMOUNT_TURNS: Mapping[str, str] = {
     "^ASK (?P<q>GREATEST) length of (?=@)": "what is longest length of ",
     "^how long does (?:hand|pull) take to (?:pull|drag|move|draw|haul|shift|raise|lift) (?P<s>@\\d+@) (?=#|through"
     "|by)": (r"how long does \g<s> take to move "),
+    "^how (?P<long>long|much time) does it take (?:hand )?to (?:pull|drag|move|draw|haul|shift|raise|lift|hoist)"
+    " (?P<s>@\\d+@) (?:up )?(?=#|through|by)": r"how \g<long> does \g<s> take to move ",
+    "(?<=^how much work )(?P<does>does|has|did|will) (?P<who>hand|pull) (?P<do>do|done) (?:in|by|on|for|when|while)"
+    " (?:pulling|dragging|moving|drawing|hauling|shifting|raising|lifting|hoisting) (?P<s>@\\d+@) (?:up )?"
+    "(?:by |through )?(?=#)": r"\g<does> \g<who> \g<do> while \g<s> moves ",
     "^by how much (?:has|does|did|will) friction (?:reduced?|lowered|lower|diminish|diminished|decreased?)"
     " (?:mechanical|total) energy\\b": "how much energy is lost to friction",
     "^(?P<s>@\\d+@) (?:\\w+ )*?(?:to|at|in|into) (?:point|place|spot) (?:where|at which) (?:it|@\\d+@)"
@@ -89,7 +94,12 @@ AMOUNT_TURNS: Mapping[str, str] = {
     "^(?P<ask>through what angle (?:does|will) @\\d+@) (?:swing|move|turn) (?:out )?(?:to|toward|towards) (?:one "
     "|left |right )?side\\b": (r"\g<ask> turn"),
     "(?: ,)? (?:while|as long as) hand (?:keeps(?: on)?|goes on|continues|is)(?: to)? (?:pulling|pull)$": "",
-    "\\bonce (?P<s>@\\d+@) (?:rolls|is rolling)(?: purely)?$": r"once \g<s> rolls without slipping",
+    "\\b(?P<w>once|before|until|till) (?P<s>@\\d+@) (?:rolls|is rolling)(?: purely)?$": (
+        r"\g<w> \g<s> rolls without slipping"
+    ),
+    "^how far (?P<does>does|will|did) (?P<s>@\\d+@) (?:skid|slip)$": (
+        r"how far \g<does> \g<s> move before \g<s> rolls without slipping"
+    ),
     "\\bfirst two (?=landing|bounce|impact|collision)": "first and second ",
     "^(?:what|how large an|how great an|which) area (?:does|will|is) line (?:from|between|joining|connecting)"
     " (?P<s>@\\d+@)"

@@ -8,11 +8,11 @@ from sim2reason.errors import TextError
 from sim2reason.questions.following import Followed, FollowedMotion, eventful
 from sim2reason.questions.kinds.threshold import ThresholdQuery
 from sim2reason.questions.moments.times import WholeMotion
-from sim2reason.questions.moments.turning_points import Halted
+from sim2reason.questions.moments.turning_points import Halted, Stopped
 from sim2reason.questions.ordinary.hearing import Heard, hear
 from sim2reason.questions.ordinary.multiples import in_numbers
 from sim2reason.questions.ordinary.placing import placed
-from sim2reason.questions.ordinary.presumed import presumed, steady, two_sided
+from sim2reason.questions.ordinary.presumed import bounces_before, presumed, steady, two_sided
 from sim2reason.questions.ordinary.reading import Reader, Reading, Understood, readings
 from sim2reason.questions.ordinary.rewording import reworded
 from sim2reason.questions.ordinary.vocabulary import SLOWER
@@ -165,6 +165,8 @@ def _unfit(reading: Reading, question: PosedQuestion, followed: Followed, words:
             return reason
     elif query.target is not None and query.moment is not None and two_sided(query, study, reading.side):
         return "it changes at once at that moment; ask just before it, or just after it"
+    if isinstance(query.moment, Stopped) and bounces_before(query.moment, study.trace):
+        return "it bounces before that, and then stops for an instant only"
     return next((reason for reason in presumed(reading, followed, query, words) if reason), "")
 
 

@@ -14,7 +14,7 @@ NOUNS: tuple[frozenset[str], ...] = tuple(
     for group in (
         "block box crate load parcel sled sledge weight",
         "ball bob sphere stone projectile marble shell rock",
-        "cart trolley glider car truck wagon",
+        "cart trolley glider car truck wagon carriage slider",
         "board plank slab block",
         "probe rocket spacecraft spaceship craft capsule",
         "bead particle ion ball charge",
@@ -111,6 +111,7 @@ HEADING = "heads "  # along an axis, one way
 DIES_AWAY, FREE_AXLE, MUTUAL = "dies away", "free axle", "mutual"
 LOWEST, STANDS, CENTRAL, LIES = "lowest at first", "stands", "central", "lies on a face"
 THEN_GOES = "then goes "  # a way, after the moment
+BALANCED = "balanced"  # passes through the equilibrium
 PLACED = "placed"  # asks for a place, whatever the motion
 BORNE = "borne by "  # by what carries it, or by the pulley over which its string runs
 CENTERED, HELD = "centered", "held by "  # by a spring the other end of which is fixed

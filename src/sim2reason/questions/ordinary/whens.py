@@ -14,7 +14,7 @@ from sim2reason.simulation.quantities.subjects.axles import Pulleys
 from sim2reason.simulation.quantities.subjects.bodies import Bodies
 from sim2reason.simulation.quantities.subjects.lines import STRETCHED, Springs
 from sim2reason.simulation.quantities.subjects.pairs import AND
-from sim2reason.simulation.quantities.subjects.paths import EVEN
+from sim2reason.simulation.quantities.subjects.paths import EVEN, chain
 from sim2reason.simulation.quantities.subjects.rods import SwingingLines
 
 EVERYTHING = "everything"  # all subjects of a quantity together
@@ -203,10 +203,17 @@ def line_of(said: str, words: Words) -> str:
     return next(iter(lines.values()))
 
 
-def is_light_arm(said: str, words: Words) -> bool:
-    """Return whether a phrase means a body without mass on an axle, such as a light arm that carries a ball."""
-    bodies = [body for body in words.mechanism.bodies if words.mentions.get(body.name) == said]
-    return any(body.mass == 0.0 and any(c.kind == "hinge" for c in body.coordinates) for body in bodies)
+def carried_by_light_arm(said: str, find: str, words: Words) -> tuple[str, ...]:
+    """Return the bodies that have a quantity and are carried by the light arm that a phrase means; none for another."""
+    mechanism = words.mechanism
+    arms = {
+        body.name
+        for body in mechanism.bodies
+        if words.mentions.get(body.name) == said and body.mass == 0.0 and not any(body.inertia)
+    }
+    turning = {name for name in arms if any(c.kind == "hinge" for c in mechanism.body[name].coordinates)}
+    held = {name: {carrier.name for carrier in chain(mechanism, name)[1:]} for name in all_of(find, words)}
+    return tuple(name for name, carriers in held.items() if carriers & turning)
 
 
 def fixed_end(words: Words) -> tuple[str, ...]:

@@ -11,6 +11,7 @@ from sim2reason.scenes.dsl.vectors import Number, Triple
 from sim2reason.simulation.quantities import Quantity, quantity
 from sim2reason.simulation.quantities.subjects.bodies import Bodies
 
+BORDER = 1e-9  # m; what is nearer to the border of a region is in it
 FAR = (1e3, 1e3, 1e3)  # m; anywhere but at a charge
 
 
@@ -74,9 +75,8 @@ class FieldForce(Quantity):
     floor, heavy = 0.1, True
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
-        """Return whether there are such forces on the body, and none that acts in a region alone."""
-        forces = acting(mechanism, name, self.law)
-        return bool(forces) and all(force.region is None for force in forces)
+        """Return whether there are such forces on the body."""
+        return bool(acting(mechanism, name, self.law))
 
 
 def acting(mechanism: Mechanism, name: str, law: type[Law]) -> list[Force]:
@@ -89,8 +89,17 @@ def _total(state: State, subject: str, law: type[Law]) -> Array:
     center = state.frames.center(subject)
     total = np.zeros((len(state.times), 3))
     for force in acting(state.mechanism, subject, law):
-        total = total + state.vector(force.law.force(center.place, center.velocity, state.times, np))
+        found = state.vector(force.law.force(center.place, center.velocity, state.times, np))
+        total = total + found * _inside(force, state, center.place)[:, None]
     return total
+
+
+def _inside(force: Force, state: State, place: Triple) -> Array:
+    """Return whether a place is in the region of a force, its border included, (n,); true for a force without one."""
+    if force.region is None:
+        return np.ones(len(state.times), dtype=bool)
+    margins = [state.vector((margin, 0.0, 0.0))[:, 0] for margin in force.region.margins(place, np)]
+    return np.min(margins, axis=0) >= -BORDER
 
 
 @quantity

@@ -138,6 +138,12 @@ CONDITIONS: Mapping[str, str] = {
     rf"^(?:{_S} (?:would |could |can |will |to )?)?(?:be able to )?{_LIFTS} (?P<t>{_S}) {_UP}{_STEADY}$": (
         r"\g<t> move \g<way>\g<on> with constant speed"
     ),
+    rf"^(?:{_S} (?:would |could |can |will |to )?)?(?:be able to )?(?:lift|raise|hoist)s? (?P<t>{_S}){_STEADY}$": (
+        r"\g<t> move up with constant speed"
+    ),
+    rf"^(?:{_S} (?:would |could |can |will |to )?)?(?:lift|raise|hoist)s? (?P<t>{_S}) with acceleration of ": (
+        r"\g<t> rise with acceleration of "
+    ),
     rf"^(?P<t>{_S}) (?:to )?(?:be )?(?:pulled|drawn|hauled|dragged|move|moves) {_UP}{_STEADY}$": (
         r"\g<t> move \g<way>\g<on> with constant speed"
     ),

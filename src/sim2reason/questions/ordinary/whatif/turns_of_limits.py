@@ -127,6 +127,10 @@ LIMIT_TURNS: Mapping[str, str] = {
     rf"^(?:what|how much) (?:(?:is )?(?:least|smallest|minimum) )?{_EXTRA} (?P<q>{_NOUNS}) (?:that )?(?:{_AUX}"
     rf" (?P<s>{_S})|(?P<s2>{_S}) {_AUX}) (?:need|have|require)"
     rf"(?: to have)?(?: at start| initially)? {_NEXT}": r"by how much must \g<q> of \g<s>\g<s2> be greater ",
+    rf"^(?:what|which) (?:is )?(?:least|smallest|minimum) force (?:that|with which hand|of hand that)"
+    rf" (?:can |could |would |will )?(?P<c>(?:lift|raise|hoist|move|drag|start)s? {_S})$": (
+        r"how hard must hand pull at least to \g<c>"
+    ),
     r"\b(?:this |same )?(?:engine|hand|motor) (?:could|can|would)(?: just| still)? (?=lift|pull|haul|move|raise"
     r"|keep|hold|drag)": "would ",
     rf"^how fast (?P<a>{_AUX}) (?:exhaust )?gas(?:es)? {_HAVE}(?:leave|stream out|flow out|be blown out|shoot"
