@@ -4,9 +4,10 @@ import pytest
 
 from plain_scenes import G, ramp
 from sim2reason.questions.following import motion_of
+from sim2reason.questions.inversion import values_giving, why_not_one
 from sim2reason.questions.parse_prompt import parse_prompt
 from sim2reason.questions.parse_question import parse_question
-from sim2reason.questions.posing import posed, values_giving, why_not_one
+from sim2reason.questions.posing import posed
 from sim2reason.questions.prompt import words_of
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.unknown import range_of

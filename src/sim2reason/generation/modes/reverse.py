@@ -24,11 +24,11 @@ from sim2reason.questions import (
 )
 from sim2reason.questions.conditions import Scan, asking_for
 from sim2reason.questions.dependence import STEP, Dependence, roomy
+from sim2reason.questions.inversion import values_giving, why_not_one
 from sim2reason.questions.kinds import by_share
 from sim2reason.questions.moments.parts.reached import Reached
 from sim2reason.questions.parse_question import plainly
 from sim2reason.questions.phrasing import chosen, sentence
-from sim2reason.questions.posing import values_giving, why_not_one
 from sim2reason.questions.query import Target, targets
 from sim2reason.questions.study import COARSE, ENOUGH
 from sim2reason.questions.unknown import Unknown, far_from, range_of, some

@@ -10,6 +10,7 @@ import numpy as np
 from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
 from sim2reason.questions.dependence import Dependence
 from sim2reason.questions.following import FOLLOWED_NO_LONGER, FollowedMotion, follow, motion_of
+from sim2reason.questions.inversion import values_giving
 from sim2reason.questions.ordinary.hearing import ALL, Heard
 from sim2reason.questions.ordinary.reading import Reader, Understood
 from sim2reason.questions.ordinary.whatif.conditions import StatedCondition, conditions
@@ -26,7 +27,7 @@ from sim2reason.questions.ordinary.whatif.plainer import plainer
 from sim2reason.questions.ordinary.whatif.supposed_rows import MULTIPLES
 from sim2reason.questions.ordinary.whatif.told_direction import directed, told_direction, told_values
 from sim2reason.questions.ordinary.whatif.understanding import of_all
-from sim2reason.questions.posing import GREATEST, LEAST, MINUS, RATIO, VALUE, PosedQuestion, posed, values_giving
+from sim2reason.questions.posing import GREATEST, LEAST, MINUS, RATIO, VALUE, PosedQuestion, posed
 from sim2reason.questions.structured import StructuredQuestion, measured
 from sim2reason.questions.study import COARSE
 from sim2reason.questions.unknown import number_at, range_of, with_number
