@@ -6,7 +6,7 @@ from functools import partial
 
 from sim2reason.errors import SceneError, SimulationError, TextError, UnsupportedError
 from sim2reason.questions.following import Followed, FollowedMotion, follow, motion_of
-from sim2reason.questions.inversion import values_giving
+from sim2reason.questions.inversion import values_giving, why_not_one
 from sim2reason.questions.kinds import KINDS
 from sim2reason.questions.kinds.comparison import compared
 from sim2reason.questions.kinds.limit import MASS, LimitQuery
