@@ -79,3 +79,21 @@ def test_a_problem_of_a_dataset_without_filters(tmp_path: Path) -> None:
     build(tmp_path, Config(items=1, recipes=("incline",), difficulties=("easy",), unfiltered=True), workers=1)
     told = call("explain", tmp_path, "--id", "incline-easy-numeric-0-0-unfiltered")
     assert told.exit_code == 0, told.output
+
+
+def test_refused_questions_are_shown_with_the_numbers_of_their_filters() -> None:
+    told = call("explain", "--id", "springs-hard-numeric-3-0", "--refused")
+    assert told.exit_code == 0, told.output
+    counts, shown = told.output.split("Refused before it\n")[1].split("\nSolution\n")[0].split("\nRefused questions\n")
+    reasons = [line.strip().removeprefix("refused by ") for line in shown.splitlines() if "refused by " in line]
+    assert reasons
+    assert {reason.split(": ")[0] for reason in reasons} <= {*FILTERS}
+    assert all(reason.split(": ")[0] in counts for reason in reasons)
+    assert "condition number is 53.67; up to 20 is allowed" in shown
+
+
+def test_without_a_dataset_the_coordinates_are_enough(data: Path) -> None:
+    name = "incline-easy-numeric-0-0"
+    assert call("explain", "--id", name).output == call("explain", data, "--id", name).output
+    told = call("explain", "--id", "nonsense")
+    assert (told.exit_code, told.output.count("\n")) == (2, 1)

@@ -15,10 +15,12 @@ from sim2reason.generation.filters import in_order
 from sim2reason.generation.item import Item
 from sim2reason.generation.item_search import ItemSearch
 from sim2reason.generation.make import item_of
+from sim2reason.generation.question_search import RefusedQuestion
 from sim2reason.generation.request import Request
 from sim2reason.grading.parts import LABELS
 from sim2reason.simulation import trace_files
 
+SHOWN = 40  # refused questions; a search may refuse hundreds
 T = TypeVar("T")
 
 
@@ -40,27 +42,31 @@ def told(lines: Iterable[str]) -> str:
 
 
 def explain(
-    dataset: Dataset | Path | str,
+    dataset: Dataset | Path | str | None,
     id: str,  # noqa: A002 - the column's name
     *,
+    refused: bool = False,
     figure: Path | str | None = None,
     trace: Path | str | None = None,
 ) -> Explanation:
-    """Explain where a problem of a dataset comes from, and why every filter kept it.
+    """Explain where a problem comes from, why every filter kept it, and which questions were refused before it.
 
-    The problem is made again from its id, so that the explanation does not rely on the file.
+    The problem is made again from its id, so that the explanation does not rely on a file.
 
     Args:
-        dataset: A dataset, or its folder.
+        dataset: A dataset, or its folder, to compare the problem with. None makes the problem from its id alone.
         id: The id of the problem.
+        refused: Whether to show each question that was refused before it, with the numbers that its filter compared.
         figure: File (.svg, .png or .pdf) for a drawing of the scene; by default none is written.
         trace: File (.parquet) for the motion; by default none is written.
 
     Returns:
-        Lines by title: the problem, its scene, certificate, solution, filters, wrong answers, and more.
+        Lines by title: the problem, its scene, certificate, solution, filters, wrong answers, and more. Without a
+        dataset, an id for which no question passes has only what was refused.
 
     Raises:
         DatasetError: There is no finished dataset or no such problem, or this version makes a different problem.
+        DrawError: There is no dataset, and the id is malformed.
         UnsupportedError: A file name has another ending.
         OSError: A file cannot be written.
 
@@ -72,29 +78,69 @@ def explain(
         ['Problem', 'Scene', 'Certificate', 'Refused before it']
     """
     check(figure, trace)
-    item = (dataset if isinstance(dataset, Dataset) else Dataset(dataset)).item(id)
-    request = Request.of(item)
-    search = ItemSearch(request)
-    found, refused = search.found(), search.rejected
-    if found is None or item_of(request, found) != item:
+    item = None
+    if dataset is not None:
+        item = (dataset if isinstance(dataset, Dataset) else Dataset(dataset)).item(id)
+    request = Request.named(id) if item is None else Request.of(item)
+    search, record = ItemSearch(request), RefusalRecord()
+    search.on_refusal = record.add if refused else None
+    found = search.found()
+    made = None if found is None else item_of(request, found)
+    if item is not None and made != item:
         remedy = "install the versions that it names, or make the dataset anew"
         raise DatasetError(f"{id}: this version of sim2reason makes another problem of these coordinates; {remedy}")
+    before = _refusals(search, record if refused else None)
+    if found is None or made is None:
+        return Explanation({"Problem": ("none: no question passed every filter",), **before})
     if figure is not None:
         canvas.draw(drawing(found.description.scene, found.description), Path(figure))
     if trace is not None:
         trace_files.write_trace(found.study.trace, trace)
-    return Explanation(
-        {
-            "Problem": (*item.prompt.splitlines(), "", f"Answer: {item.answer.shown}"),
-            "Scene": tuple(item.scene.splitlines()),
-            "Certificate": tuple(_certificates(item)),
-            "Refused before it": tuple(f"{n} × {reason}" for reason, n in sorted(refused.items())) or ("nothing",),
-            "Solution": (*_measured(item), "", *_solution(request, found).splitlines()),
-            "Filters": tuple(_filters(found)),
-            "Wrong answers": tuple(_wrong_answers(item)) or ("none",),
-            "Without bearing": (*item.idle, *(f"the number {path}" for path in item.idle_numbers)) or ("nothing",),
-        }
-    )
+    return Explanation(_sections(made, request, found, before))
+
+
+class RefusalRecord:
+    """The first `SHOWN` refused questions of a search as lines of text, and the number of all."""
+
+    def __init__(self) -> None:
+        """Start an empty record."""
+        self.lines: list[str] = []
+        self.number = 0
+
+    def add(self, refused: RefusedQuestion) -> None:
+        """Record a question, the reason of its filter, and the numbers that the filter compared."""
+        self.number += 1
+        if self.number > SHOWN:
+            return
+        verdict, question = refused.verdict, refused.candidate.question
+        self.lines += [*question.text.splitlines(), f"  answer: {question.answer:.4g} {question.unit}".rstrip()]
+        self.lines.append(f"  refused by {verdict.filter}{f': {verdict.reason}' if verdict.reason else ''}")
+        self.lines += [f"    {line}" for line in refused.findings]
+
+
+def _refusals(search: ItemSearch, record: RefusalRecord | None) -> dict[str, tuple[str, ...]]:
+    """Return the counts of refusals by reason, and with a record the refused questions themselves."""
+    counts = tuple(f"{n} × {reason}" for reason, n in sorted(search.rejected.items())) or ("nothing",)
+    if record is None:
+        return {"Refused before it": counts}
+    more = (f"and {record.number - SHOWN} more questions",) if record.number > SHOWN else ()
+    return {"Refused before it": counts, "Refused questions": (*record.lines, *more) or ("none",)}
+
+
+def _sections(
+    item: Item, request: Request, found: CertifiedQuestion, before: dict[str, tuple[str, ...]]
+) -> dict[str, tuple[str, ...]]:
+    """Return the lines of an explanation by title."""
+    return {
+        "Problem": (*item.prompt.splitlines(), "", f"Answer: {item.answer.shown}"),
+        "Scene": tuple(item.scene.splitlines()),
+        "Certificate": tuple(_certificates(item)),
+        **before,
+        "Solution": (*_measured(item), "", *_solution(request, found).splitlines()),
+        "Filters": tuple(_filters(found)),
+        "Wrong answers": tuple(_wrong_answers(item)) or ("none",),
+        "Without bearing": (*item.idle, *(f"the number {path}" for path in item.idle_numbers)) or ("nothing",),
+    }
 
 
 def check(figure: Path | str | None, trace: Path | str | None) -> None:

@@ -1,7 +1,7 @@
 """Search for an item: scenes are drawn and asked about until one question passes every filter."""
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -13,7 +13,7 @@ from sim2reason.generation.filters.worked_solutions import COUNTED
 from sim2reason.generation.item import Answer
 from sim2reason.generation.options import ENOUGH, distractors, options, options_of_two
 from sim2reason.generation.part_search import PartSearch
-from sim2reason.generation.question_search import NOTHING, UNSUITED, QuestionSearch
+from sim2reason.generation.question_search import NOTHING, UNSUITED, QuestionSearch, RefusedQuestion
 from sim2reason.generation.random_scenes import generator
 from sim2reason.generation.recipes import RECIPES, difficulty_named
 from sim2reason.generation.request import Request, in_drawn_order
@@ -98,6 +98,7 @@ class ItemSearch:
         self._difficulty: Difficulty = difficulty_named(request.difficulty)
         self._kinds = in_drawn_order(request.mode, request.recipe, request.weights, self._generator("kinds"))
         self._needs = allowed(request)
+        self.on_refusal: Callable[[RefusedQuestion], None] | None = None  # called with each question that is refused
         self.rejected: Counter[str] = Counter()
         self._known: Counter[str] = Counter()  # questions that few laws answer, by kind
         self._refused: Counter[str] = Counter()  # questions that are refused, by kind
@@ -179,6 +180,7 @@ class ItemSearch:
             if search.fault:
                 self.rejected[search.fault] += 1
             else:
+                search.on_refusal = self.on_refusal
                 yield search, rng
 
     def _first_kind(

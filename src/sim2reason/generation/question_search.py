@@ -1,7 +1,7 @@
 """Ask about one scene until a question passes every filter."""
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.generation.certified import CertifiedQuestion
-from sim2reason.generation.filters import Candidate, Verdict, sift, sift_scene
+from sim2reason.generation.filters import FILTERS, Candidate, Verdict, sift, sift_scene
 from sim2reason.generation.filters.texts import followed
 from sim2reason.questions import KINDS, Query, Question, QuestionMode, StatedResult, Study, Words
 from sim2reason.questions.difficulty import Difficulty
@@ -34,6 +34,20 @@ CHOOSY = 8  # times as many draws, where only some quantities may be asked about
 SETTINGS = SAMPLES, SHORTEST, WORDINGS, QUESTIONS, DRAWS, MISSES, CHOOSY
 NOTHING, INCOMPLETE = "nothing to ask", "incomplete"  # as a manifest counts them
 UNSUITED = "needs: before an answer"  # likewise
+
+
+@dataclass(frozen=True)
+class RefusedQuestion:
+    """A question that a filter refused, with the candidate as the filter examined it."""
+
+    candidate: Candidate
+    verdict: Verdict
+
+    @property
+    def findings(self) -> tuple[str, ...]:
+        """Numbers that the filter compared, line by line; empty for a filter that compares none."""
+        found = FILTERS.get(self.verdict.filter)
+        return () if found is None else tuple(found.findings(self.candidate))
 
 
 @dataclass(frozen=True)
@@ -86,6 +100,7 @@ class QuestionSearch:
         self.kinds: set[str] = set()  # of questions that were found in it
         self.beyond: set[str] = set()  # of those of which all that was drawn needs other means
         self._refused = False  # for what it needs, what was drawn last
+        self.on_refusal: Callable[[RefusedQuestion], None] | None = None  # called with each question that is refused
 
     @cached_property
     def description(self) -> Description:
@@ -175,12 +190,21 @@ class QuestionSearch:
         self, question: Question, mode: QuestionMode, rng: np.random.Generator, beside: tuple[Candidate, ...] = ()
     ) -> CertifiedQuestion | Verdict:
         """Return the question with its certificate, or the verdict against it."""
+        found, candidate = self._examined(question, mode, rng, beside)
+        if isinstance(found, Verdict) and self.on_refusal is not None:
+            self.on_refusal(RefusedQuestion(candidate, found))
+        return found
+
+    def _examined(
+        self, question: Question, mode: QuestionMode, rng: np.random.Generator, beside: tuple[Candidate, ...]
+    ) -> tuple[CertifiedQuestion | Verdict, Candidate]:
+        """Return the certified question or the verdict against it, with the candidate that was examined last."""
         told = self._told(question, mode, rng, beside)
         verdict = self._sift(told.candidate, witnessed=False)
         if verdict.keep:
             completed = mode.completed(question, self.study, self._words(told), rng)
             if completed is None:
-                return Verdict(keep=False, filter=INCOMPLETE)
+                return Verdict(keep=False, filter=INCOMPLETE), told.candidate
             if completed is not question:
                 told = self._told(completed, mode, rng, beside)
                 verdict = self._sift(told.candidate, witnessed=False)
@@ -188,12 +212,13 @@ class QuestionSearch:
         if candidate is not told.candidate:  # it needs other means
             verdict = self._sift(candidate, witnessed=False)
         if not verdict.keep:
-            return verdict
+            return verdict, candidate
         study, certificate = self._certified(question.query, candidate.study)
-        verdict = self._sift(replace(candidate, certificate=certificate), witnessed=True)
+        last = replace(candidate, certificate=certificate)
+        verdict = self._sift(last, witnessed=True)
         if not verdict.keep:
-            return verdict
-        return CertifiedQuestion(candidate, study, certificate, told.description, told.shape)
+            return verdict, last
+        return CertifiedQuestion(candidate, study, certificate, told.description, told.shape), last
 
     def described(self, questions: Sequence[Question]) -> Description:
         """Return the text for several questions about the scene: it leaves out only what matters to none of them."""
