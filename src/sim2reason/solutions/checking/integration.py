@@ -95,7 +95,7 @@ class Instant:
 SMOOTH, TINY = 1e-8, 1e-14  # largest final Chebyshev coefficients of a condition: relative, absolute
 TRIMMED, REAL = 1e-13, 1e-6  # relative: smallest coefficient that counts; largest imaginary part of a real root
 ZERO = 1e-9  # relative to the largest coefficient of a condition in the first step: a zero at the start
-NARROW, RESTING = (
+NARROW, RESTING = (  # fractions of a step in which signs are not trusted: between zeros, after a zero at its start
     1e-9,
     1e-4,
 )  # fractions of a step in which signs are not trusted: between zeros; after a zero at the start
