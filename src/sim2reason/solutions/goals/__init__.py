@@ -34,7 +34,7 @@ class Stretch(ABC):
         raise UnsolvedError("no time in which no force changes")
 
     def force(self, kind: str, name: str) -> Polynomial:
-        """Return a tension, or the kinetic friction on a body, if it is constant in the part; zero if it does not act."""
+        """Return a tension, or the kinetic friction on a body, if it is constant; zero if it does not act."""
         raise UnsolvedError(f"no {kind} of {name} that is constant")
 
     def moved(self, body: str, line: str) -> Polynomial:
@@ -59,7 +59,7 @@ class Stretch(ABC):
 
 
 class Known(Protocol):
-    """The motion at the moment of a question, as a strategy knows it; methods write the steps that derive their results."""
+    """The motion at the moment of a question, as a strategy knows it; methods write the steps to their results."""
 
     @property
     def setting(self) -> Setting:
@@ -92,7 +92,7 @@ class Known(Protocol):
         ...
 
     def rim(self, kind: str, body: str) -> Polynomial:
-        """Return acceleration, velocity or distance of the rim of a body that rotates about its axis; zero for others."""
+        """Return acceleration, velocity or distance of the rim of a rotating body; zero for other bodies."""
         ...
 
     def radius(self, body: str) -> Polynomial:

@@ -1,1 +1,1 @@
-"""Laws of mechanics in symbols: Newton's laws of each body, kinematics at constant acceleration, equations of motion."""
+"""Laws of mechanics in symbols: Newton's laws, kinematics at constant acceleration, equations of motion."""

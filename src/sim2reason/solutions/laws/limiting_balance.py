@@ -35,7 +35,7 @@ class LimitingDynamics(WrittenDynamics):
     """Newton's laws and their unknowns at the instant at which a body is about to move."""
 
     def __init__(self, setting: Setting, book: Book, segment: Segment) -> None:
-        """Prepare the laws of a segment at the limit; UnreadError if the mechanism is of another kind."""
+        """Prepare the laws of a segment at the limit; UnreadError for other kinds of mechanisms."""
         super().__init__(setting, book, segment)
         self.newton = _AtLimit(setting.lexicon, segment)
 
