@@ -25,7 +25,7 @@ class CancelledError(Exception):
 def limit(held: Expression, name: str, at: Mapping[str, float], *, large: bool) -> Expression | None:
     """Return the limit of a formula as a symbol tends to infinity (`large`) or zero; None if it is zero or infinite.
 
-    `at` are values of the other symbols, by which it is seen what cancels.
+    `at` has values of the other symbols, which show the terms that cancel.
 
     Raises:
         CancelledError: leading terms cancel.

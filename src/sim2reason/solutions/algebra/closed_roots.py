@@ -34,7 +34,7 @@ Written = Callable[[Polynomial], Expression]
 def roots(name: str, zero: Polynomial, written: Written = Polynomial.factored) -> Iterator[Expression]:
     """Yield closed-form candidates for a symbol at which a polynomial in it, its functions and roots vanishes.
 
-    Roots that squaring has brought in are among them. How a coefficient is `written`, whoever asks says.
+    Squaring may add extraneous roots. `written` converts coefficients to formulas.
     """
     try:
         rational = without_radicals(zero, name)
@@ -122,7 +122,7 @@ def without_radicals(zero: Polynomial, name: str) -> Polynomial:
     """Remove square roots of a symbol from an equation: P + Q √(a/b) = 0 becomes P² b = Q² a.
 
     Raises:
-        OverflowError: there are more of them, or more terms, than could be solved for the symbol in the end.
+        OverflowError: the equation has too many roots or terms to be solved for the symbol.
     """
     radicals = {a for monomial in zero.terms for a, _ in monomial if isinstance(a, Root) and name in a.symbols()}
     if len(radicals) > SQUARED or (len(radicals) > 1 and len(zero.terms) > FEW):

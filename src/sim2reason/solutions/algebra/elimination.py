@@ -21,7 +21,7 @@ LONG = 130  # characters of a formula; longer ones are written with numbers
 class Equation:
     """An equation of motion, `forces` = `inertia`, with its label and its acceleration `moves`, its weight in sums.
 
-    `told` are its forces as they are told, `links` the labels of equations that replaced names in them, by name.
+    `told` has the forces as written; `links` has, by name, the labels of the equations that eliminated names from them.
     """
 
     label: str
@@ -153,7 +153,7 @@ class Elimination:
         if told[0].startswith("-"):
             told.sort(key=lambda part: part.startswith("-"))  # no sum begins with a sign
         how = " + ".join(told).replace("+ -", "− ")
-        left = total(e.told * weight for e, weight in weighted).names()  # what cancels needs no other equation
+        left = total(e.told * weight for e, weight in weighted).names()  # names that cancel need no other equation
         links = (labels for e, _ in weighted for name, labels in e.links.items() if name in left)
         among = sorted(frozenset[str]().union(*links))
         how += f", with {joined(among)}" if among else ""

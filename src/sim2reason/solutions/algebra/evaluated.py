@@ -103,7 +103,7 @@ def _means(modulus: Scalar) -> list[tuple[complex, complex]]:
     while len(found) < MEANS and abs(found[-1][0] - found[-1][1]) > CLOSE:
         a, b = found[-1]
         found.append((0.5 * (a + b), cmath.sqrt(a * b)))
-        if found[-1][0] == a:  # as close as numbers come
+        if found[-1][0] == a:  # the limit of floating-point precision
             break
     return found
 
@@ -185,8 +185,8 @@ class NumericRoot(Expression):
 class ClosedRoot(NumericRoot):
     """The root of an equation that has a closed form once all other symbols have numerical values.
 
-    The `equation`, a formula that vanishes, and what it gives, `closed`, hold for these numbers. The value is worked
-    out from the residual, so that it holds for others, too.
+    The vanishing formula `equation` and its root `closed` hold for these values only. The value of the root is computed
+    from the residual, so that it also holds for other values.
     """
 
     equation: Expression

@@ -15,7 +15,7 @@ Values = Mapping[str, Scalar]
 class Expression:
     """A symbolic formula. Symbols are named by their LaTeX.
 
-    It is no ABC, since `isinstance` takes several times as long with one, and formulas are matched by class all along.
+    It is no ABC, since `isinstance` is several times slower for an ABC, and formulas are often matched by class.
     """
 
     __slots__ = ()
@@ -59,7 +59,7 @@ class Expression:
     def negative(self) -> bool:
         """Return whether the LaTeX begins with a minus sign."""
         match self:
-            case Sum(terms):  # a positive one would stand first
+            case Sum(terms):  # a positive term would stand first
                 return all(term.negative for term in terms)
             case Product((Number(x), *_)) | Quotient(Product((Number(x), *_)), _):
                 return x < 0.0

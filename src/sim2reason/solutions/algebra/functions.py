@@ -67,7 +67,7 @@ class Power(Expression):
         held = -self.base if self.exponent % 2 == 0 and self.base.negative else self.base  # (−x)² is x²
         base = rf"\left({held.latex()}\right)" if isinstance(held, Power | Number | Call) else parenthesized(held, 2)
         if isinstance(held, Symbol) and "'" in held.name:
-            base = f"{{{base}}}"  # TeX takes a prime for a superscript and refuses a second one
+            base = f"{{{base}}}"  # in TeX a prime is a superscript, and a second one is an error
         return f"{base}^{{{self.exponent}}}"
 
 

@@ -42,7 +42,7 @@ def solved_for(
 ) -> Expression:
     """Solve formula = value for a symbol; among several branches, choose the one with the known value in `at`.
 
-    `written` gives the coefficients of a quadratic equation the form in which they are told.
+    `written` converts the coefficients of a quadratic equation to formulas.
     """
     for held in _branches(name, formula, value, written):
         found = _real(held, at)
@@ -114,7 +114,7 @@ class _Settling:
 
     def __init__(self, unknown: frozenset[str], worked: Callable[[Expression], Expression]) -> None:
         self._unknown, self._worked = unknown, worked
-        self._open: dict[int, bool] = {}  # by the identities of parts, which the whole formula keeps alive
+        self._open: dict[int, bool] = {}  # by id of parts; the whole formula keeps them alive
         self._found: dict[int, Expression] = {}
 
     def of(self, held: Expression) -> Expression:

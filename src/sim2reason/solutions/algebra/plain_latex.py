@@ -32,7 +32,7 @@ from sim2reason.solutions.algebra.functions import Absolute, Power, Root, is_dif
 def one_storey(held: Expression) -> Expression:
     """Rewrite a formula without nested fractions; its value is unchanged.
 
-    Arguments of functions may have fractions of their own. A root of a fraction stands beside a fraction.
+    Arguments of functions may contain fractions. A root of a fraction is a separate factor.
     """
     if not held.parts or isinstance(held, Worked):
         return held

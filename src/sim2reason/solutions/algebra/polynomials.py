@@ -233,7 +233,7 @@ def _cleaned(terms: dict[Monomial, float]) -> dict[Monomial, float]:
     while waiting:
         monomial = waiting.pop()
         sine = _squared_sine(monomial)
-        if sine is None or monomial not in kept:  # it may have been the partner of one before
+        if sine is None or monomial not in kept:  # the partner of an earlier one
             continue
         part = kept[monomial]
         rest = tuple(held for held in monomial if held[0] != sine)
@@ -241,7 +241,7 @@ def _cleaned(terms: dict[Monomial, float]) -> dict[Monomial, float]:
         if abs(kept.get(partner, 0.0) - part) <= NOTHING and partner in kept:
             del kept[monomial], kept[partner]
             kept[rest] = kept.get(rest, 0.0) + part
-            waiting.insert(0, rest)  # for the sines and cosines of another angle, when all is known
+            waiting.insert(0, rest)  # may pair with terms in sines and cosines of another angle
     return _without_nothing(kept)
 
 

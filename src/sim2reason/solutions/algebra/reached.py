@@ -22,7 +22,7 @@ def is_explicit(chain: Chain) -> bool:
 def values_with(chain: Chain, target: float, unknown: str, book: Book) -> list[float]:
     """Return the values of an unknown, in SI units, at which the last formula of a chain equals `target`.
 
-    Only values of the sign that the unknown has are found; of angles up to 90°, of coefficients of restitution up to 1.
+    The search covers values with the sign of the known value; angles up to 90°, coefficients of restitution up to 1.
     """
 
     def off(value: float) -> float:

@@ -51,7 +51,7 @@ def fraction_in(chain: Chain, at: Symbol, unknown: str, values: Mapping[str, flo
 def _fractions(chain: Chain, unknown: str, values: Mapping[str, float]) -> Iterator[tuple[int, Basis, Parts, Array]]:
     """Yield the fractions of linear combinations of functions that reproduce a chain, or its square, at sample points.
 
-    Of each: the power of the chain, the functions, the coefficients of both sums, and the points.
+    Each item has the power of the chain, the functions, the coefficients of both sums, and the sample points.
     """
     seen = _sampled(chain, unknown, values)
     if seen is None:
@@ -118,7 +118,7 @@ SPAN, SAMPLES, LEAST = 1e3, 160, 20  # ratio of largest value to the known one; 
 def trend(formula: Expression, name: str, values: Mapping[str, float]) -> str:
     """Return ``increases`` or ``decreases`` if a formula is monotonic in a symbol at all samples, else "".
 
-    Places of the sign of the symbol's value are tried; the formula may have values at some of them alone.
+    Samples have the sign of the symbol's value; the formula may be undefined at some of them.
     """
     found: list[float] = []
     for place in (values[name] * np.geomspace(1.0 / SPAN, SPAN, SAMPLES)).tolist():

@@ -33,7 +33,7 @@ def stated_equation(
 ) -> tuple[Expression, Expression] | None:
     """Reduce an equation to a x² + b x = c or a sin x + b cos x = c; return both sides, or None if it is neither.
 
-    The first may also be one in the sine or in the cosine of x.
+    In the first form, x may also be the sine or the cosine of the symbol.
     """
     try:
         zero = without_radicals((fraction(atoms_worked(formula, name)) + fraction(-value)).above, name)
@@ -65,7 +65,7 @@ def stated_equation(
 def tidied(formula: Expression, name: str, *, always: bool = False) -> Expression:
     """Return a formula of a symbol as one fraction if that is shorter; a square root keeps the fraction under it.
 
-    With `always` it is one fraction however long that is, with a number that all its terms share in front.
+    With `always` it is one fraction of any length, with the common number of all terms in front.
     """
     if isinstance(formula, Root):
         return Root(tidied(formula.inside, name))
@@ -74,7 +74,7 @@ def tidied(formula: Expression, name: str, *, always: bool = False) -> Expressio
         found = over(*_sides(fraction(atoms_worked(plain, name))), grouped=always)
     except OverflowError:
         return plain
-    again = _without_squared_roots(found)  # of roots whose other terms have cancelled
+    again = _without_squared_roots(found)  # squares of roots may appear once other terms have cancelled
     found = tidied(again, name) if again != found else found
     return found if always or len(found.latex()) < len(plain.latex()) else plain
 

@@ -100,7 +100,7 @@ def _(held: Worked) -> Tree:
 def _(held: NumericRoot) -> Tree:
     """Write the equation and its root, rounded as in the text.
 
-    Where formulas that stand in earlier relations were put into each other, those relations are the equation.
+    For a chain of formulas in earlier relations, those relations are the equation.
     """
     near = shortened(held.near)
     return ["solve", near] if _has_chain(held.residual) else ["root", held.name, tree(held.residual), near]

@@ -1,7 +1,7 @@
 """Initial-value problems by collocation: in each step the state is a polynomial through Chebyshev points.
 
 Its derivative is that of the equations at all points, found by Picard iteration (C. W. Clenshaw and H. J. Norton, The
-Computer Journal 6, 1963). The engines use Runge–Kutta methods; this one shares nothing with them.
+Computer Journal 6, 1963). The engines use Runge–Kutta methods instead.
 """
 
 from collections.abc import Callable, Iterator
@@ -19,10 +19,10 @@ DEGREE = 16
 NODES: Array = -np.cos(np.pi * np.arange(DEGREE + 1) / DEGREE)
 COEFFICIENTS: Array = np.asarray(
     np.linalg.inv(chebyshev.chebvander(NODES, DEGREE)), dtype=np.float64
-)  # from values at the nodes
+)  # Chebyshev coefficients from values at the nodes
 INTEGRALS: Array = (
     chebyshev.chebvander(NODES, DEGREE + 1) @ chebyshev.chebint(np.eye(DEGREE + 1), lbnd=-1) @ COEFFICIENTS
-)  # from -1 to each node
+)  # integrals from -1 to each node
 TOLERANCE = 1e-13  # relative: largest final coefficients of the state in a step
 SETTLED, CLOSE = 2e-15, 1e-12  # relative changes at which an iteration ends: at once; if it stalls
 ITERATIONS = 40
@@ -59,10 +59,10 @@ def pieces(slope: Slope, begin: float, start: Array, count: int, fits: Callable[
 
     Args:
         slope: the time derivatives of states, (m, n), at times, (m,).
-        begin: when the motion begins, s.
-        start: the state then, (n,): places, as many rates, and sums.
-        count: the number of places.
-        fits: whether what depends on the state is a polynomial in a step, too; else a shorter one is taken.
+        begin: the initial time, s.
+        start: the initial state, (n,): coordinates, their rates, and integrals.
+        count: the number of coordinates.
+        fits: returns whether functions of the state are polynomials within a step, too; if not, it is shortened.
     """
     length, time, state = FIRST, begin, start
     while length > SHORTEST * max(FIRST, abs(time)):
@@ -80,7 +80,7 @@ def pieces(slope: Slope, begin: float, start: Array, count: int, fits: Callable[
 def state_at(slope: Slope, piece: Piece, time: float, count: int) -> Array:
     """Return the state at a time within a step, (n,), by an integration that ends at that time.
 
-    Rates may have a kink at that time, as the rate of a path has where the speed is zero.
+    Rates may have a kink at that time, as the rate of a path length has at zero speed.
     """
     begin, length = piece.state(piece.begin), time - piece.begin
     if length <= SHORTEST * piece.length:

@@ -95,10 +95,7 @@ class Instant:
 SMOOTH, TINY = 1e-8, 1e-14  # largest final Chebyshev coefficients of a condition: relative, absolute
 TRIMMED, REAL = 1e-13, 1e-6  # relative: smallest coefficient that counts; largest imaginary part of a real root
 ZERO = 1e-9  # relative to the largest coefficient of a condition in the first step: a zero at the start
-NARROW, RESTING = (  # fractions of a step in which signs are not trusted: between zeros, after a zero at its start
-    1e-9,
-    1e-4,
-)  # fractions of a step in which signs are not trusted: between zeros; after a zero at the start
+NARROW, RESTING = 1e-9, 1e-4  # fractions of a step with untrusted signs: between zeros, after one at the start
 ROUNDING = 1e-12  # relative to the largest term of a condition: the sign of smaller values is not trusted
 SIZE, MOST = 40, 10_000  # most coordinates or unknowns; most occurrences of an event
 ENDLESS = "a phase does not come to the end that is stated"
@@ -120,8 +117,8 @@ def integrate(data: Mapping[str, Any], known: Mapping[str, float], steps: int) -
 
     Args:
         data: the `Integration` of a step as JSON values.
-        known: the values of the names that are known before.
-        steps: how many steps may be taken.
+        known: the values of the names known before the phase.
+        steps: the largest number of steps.
 
     Raises:
         PhaseError: something is not stated, the equations do not determine the motion, or it does not end.
@@ -150,7 +147,7 @@ PARTS = {
     "equations": ("left", "right"),
     "coordinates": ("initial_place", "initial_rate"),
     "accumulated": ("rate", "initial"),
-}  # where formulas stand in the data of a phase
+}  # fields of a phase that contain formulas
 
 
 def formulas(data: Mapping[str, Any]) -> Iterator[Tree]:

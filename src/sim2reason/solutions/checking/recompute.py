@@ -26,9 +26,9 @@ def undetermined(
     """Yield messages for symbols that the laws do not determine and for relations that do not follow from them.
 
     Args:
-        equations: all relations but those that only verify something, at whose names' `values` they hold.
+        equations: all relations that hold for the `values`, except those that only verify something.
         known: the names that no law needs to determine.
-        values: of all names.
+        values: the values of all names.
         needed: the names that the laws must determine.
     """
     names = sorted({name for equation in equations for name in equation.names} - known)
@@ -73,7 +73,7 @@ def _spanned(basis: Array, row: Array) -> bool:
 class Recomputed:
     """The answer that follows from the data of a solution, in the unit of the question, and the faults of the data.
 
-    `values` are those of all names that have one.
+    `values` has the values of all names that have one.
     """
 
     answer: float | None
@@ -113,10 +113,10 @@ def _of_role(data: Mapping[str, Any], role: str) -> list[tuple[str, float]]:
 def by_trial(data: Mapping[str, Any], unknown: tuple[str, float], read: Reader) -> Recomputed:
     """Recompute a solution that finds an unknown by trial.
 
-    `read` recomputes the result that is given from data in which the unknown is a given.
+    `read` recomputes the given result from data in which the unknown is given instead.
 
     Raises:
-        TreeError: no result is given, or none that comes out for a value close to the stated one.
+        TreeError: no result is given, or no value close to the stated one leads to it.
     """
     (name, near), conditions = unknown, _of_role(data, CONDITION)
     if len(conditions) != 1:
@@ -169,8 +169,8 @@ WHOLE = 1e-9  # largest difference between a count and an integer
 def recompute(data: Mapping[str, Any]) -> Recomputed:
     """Recompute the answer of a solution from its data, see `sim2reason.solutions.data.as_data`.
 
-    Givens, relations in order, phases that are integrated; every name must follow from what is stated, every relation
-    must hold, and the laws must determine the goal. Faults are said in words; none are raised.
+    Givens and relations are processed in order, and phases are integrated. Every name must follow from what is stated,
+    every relation must hold, and the laws must determine the goal. Faults are returned as messages, never raised.
     """
     try:
         unknown = sought(data)

@@ -23,8 +23,8 @@ EPS = 4e-16  # relative
 def zero(function: Callable[[float], float], one: float, other: float, *, within: float = EPS) -> float:
     """Find a zero between two points by the Anderson-Björck method, with bisection where that is slow.
 
-    The values at both points must differ in sign; the zero is found `within` a relative distance. What the function
-    raises is passed on.
+    The values at both points must differ in sign; `within` is the relative accuracy of the zero. Exceptions of the
+    function propagate.
     """
     low, high = function(one), function(other)
     for n in range(HALVINGS):
@@ -36,7 +36,7 @@ def zero(function: Callable[[float], float], one: float, other: float, *, within
         if not min(one, other) < middle < max(one, other):
             middle = 0.5 * (one + other)
         value = function(middle)
-        if (value > 0.0) == (high > 0.0):  # the other end stays: count it for less
+        if (value > 0.0) == (high > 0.0):  # the other end stays: reduce its weight
             weight = 1.0 - value / high
             low *= weight if weight > 0.0 else 0.5
         else:
@@ -59,8 +59,8 @@ class Relations:
         """Take the given values by name."""
         self.values = dict(given)
         self.faults: list[str] = []
-        self._missing: dict[Equation, set[str]] = {}  # of each equation that waits, the names without a value
-        self._waiting: dict[str, list[Equation]] = defaultdict(list)  # by such a name
+        self._missing: dict[Equation, set[str]] = {}  # unknown names of each waiting equation
+        self._waiting: dict[str, list[Equation]] = defaultdict(list)  # waiting equations by unknown name
 
     @property
     def unknown(self) -> list[str]:

@@ -2,9 +2,9 @@
 
 Operations: ``+`` and ``*`` of any number of parts, ``/``, ``^`` with a whole exponent, ``sqrt``, ``abs``, ``sin``,
 ``cos``, ``tan``, ``arcsin``, ``arccos``, ``arctan``, ``ln``, ``exp``, ``pi``, ``elliptic K`` of a modulus,
-``elliptic F`` and ``amplitude`` of an argument and a modulus; ``["worked", tree, number]``, a formula with the number
-that it is said to be; ``["root", name, tree, near]``, where a formula of `name` vanishes close to a number; and
-``["solve", near]``, the value close to a number that makes all earlier relations hold.
+``elliptic F`` and ``amplitude`` of an argument and a modulus; ``["worked", tree, number]``, a formula with its stated
+value; ``["root", name, tree, near]``, the zero of a formula in `name` close to a number; and ``["solve", near]``, the
+value close to a number for which all earlier relations hold.
 """
 
 import math
@@ -41,7 +41,7 @@ FUNCTIONS: Mapping[str, tuple[Callable[[float], float], Callable[[float], float]
     "arctan": (math.atan, lambda x: 1.0 / (1.0 + x * x)),
     "ln": (math.log, lambda x: 1.0 / x),
     "exp": (math.exp, math.exp),
-}  # each with its derivative
+}  # functions with their derivatives
 VECTORS: Mapping[str, Callable[[Any], Any]] = {name: getattr(np, {"ln": "log"}.get(name, name)) for name in FUNCTIONS}
 ARITY = {**elliptic.ARITY, "/": 2, "^": 2, "pi": 0, "worked": 2, "root": 3, "solve": 1} | dict.fromkeys(FUNCTIONS, 1)
 

@@ -44,7 +44,7 @@ class ClosedForm:
     def of_sizes(self, points: Sequence[Mapping[str, float]]) -> "ClosedForm":
         """Return the absolute value; a radicand that is negative at a point is replaced by its absolute value.
 
-        Factors of one sign at all of them have that sign, and the others stand between bars.
+        Factors with one sign at all points get that sign; all others stand between bars.
         """
         found = one_storey(tidied(_of_size(_rooted_in_sizes(self.expression, points), points)))
         return ClosedForm(found, found.latex(), self.symbols)
@@ -74,7 +74,7 @@ def closed_form(solution: Solution, own: Sequence[str] = ()) -> ClosedForm:
 def put_together(solution: Solution, own: Sequence[str] = ()) -> Expression:
     """Substitute the formulas of a solution into one; ClosedFormError if a number is in the way or it gets too long.
 
-    `own` are the names for the numbers that the question itself says, in its order, in place of the solution's.
+    `own` has new names for the numbers in the question, in its order, in place of the solution's names.
     """
     if solution.answer is None:
         raise ClosedFormError(solution.reason)
@@ -86,7 +86,7 @@ def put_together(solution: Solution, own: Sequence[str] = ()) -> Expression:
         at = {renamed.get(name, name): solution.values[name] for name in given}
         signed = any(at.get(name, 0.0) < 0.0 for name in bare.symbols())
         found = -bare if _negative(bare, at) else bare
-        found = Absolute(found) if signed else found  # no reader can tell the sign of the whole
+        found = Absolute(found) if signed else found  # the sign of the formula is not evident
     if hopeless(found):
         raise ClosedFormError("it has too many roots")
     return found

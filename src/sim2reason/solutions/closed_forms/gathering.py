@@ -49,7 +49,7 @@ class Term:
 def gathered(held: Expression, size: Callable[[Expression], int] = length) -> Expression:
     """Factor common terms out of each sum where that is shorter; the value is unchanged.
 
-    How long a formula is, its `size` says: by default as it is written.
+    `size` returns the length of a formula, by default that of its LaTeX.
     """
     if not held.parts:
         return held
@@ -67,7 +67,7 @@ def gathered(held: Expression, size: Callable[[Expression], int] = length) -> Ex
 def with_factors_in_front(held: Expression) -> Expression:
     """Factor the common factors of all terms out of each sum, at any length; the value is unchanged.
 
-    Where it then stands above and below a fraction, it cancels.
+    Factors common to numerator and denominator of a fraction then cancel.
     """
     if not held.parts:
         return held
@@ -103,7 +103,7 @@ def symbols_in(held: Expression) -> int:
 def parted(held: Expression) -> Expression:
     """Split fractions of sums and cancel each term by itself, where fewer symbols remain; the value is unchanged.
 
-    As in F/(m_A + m_B) + g sin θ for (F + (m_A + m_B) g sin θ)/(m_A + m_B); only where fewer symbols are left.
+    For example, (F + (m_A + m_B) g sin θ)/(m_A + m_B) becomes F/(m_A + m_B) + g sin θ.
     """
     if not held.parts:
         return held
@@ -176,7 +176,7 @@ def _crosswise(terms: Sequence[Term]) -> Expression | None:
 
 def _two_sums(ac: Term, ad: Term, bc: Term, bd: Term) -> tuple[Expression, ...] | None:
     """Return the factors, two of them sums, of the product of four terms; None if the terms are no product."""
-    over, beside = bc.number / ac.number, ad.number / ac.number  # of b beside a, and of d beside c
+    over, beside = bc.number / ac.number, ad.number / ac.number  # ratios b/a and d/c
     if any(term.below for term in (ac, ad, bc, bd)) or bd.number != ac.number * over * beside:
         return None
     a = _both(ac.factors, ad.factors)

@@ -27,9 +27,8 @@ SHORTER = 0.9  # of its characters: only a shorter result counts as simplified
 def with_ingredients(solution: Solution) -> Solution:
     """Return a symbolic solution with a final step that leads to the formula of the answer.
 
-    It says what the quantities on the way come to in terms of what is given, and which are inserted into the last
-    formula. Those that are given, that one formula gives in terms of what is given, or that the text has, are not
-    repeated.
+    The step gives intermediate quantities in terms of given ones, and names those inserted into the last formula. It
+    omits quantities that are given, that a single formula gives in terms of given ones, or that the text contains.
     """
     algebra = _LastAlgebra(solution)
     relations, insertion, inserted = algebra.told, *algebra.insertion()
@@ -104,7 +103,7 @@ class _LastAlgebra:
     def _on_the_way(self) -> list[str]:
         """Return the names on which the answer depends, in order of definition.
 
-        Names behind one that the text has in terms of given quantities are left out.
+        The search stops at names that the text gives in terms of given quantities.
         """
         found, waiting = set[str](), [self._whole]
         while waiting:

@@ -1,10 +1,10 @@
 """Formulas simplified by sympy, which is loaded on first use; the shortest equivalent form is kept.
 
-A formula is brought over one denominator in the field of rational functions, whose generators are the symbols and, as
-if they were symbols, the sines and roots in it; it is cancelled there, then factored or collected.
+A formula is brought over one denominator in the field of rational functions, whose generators are its symbols, sines
+and roots. Common factors are cancelled there; the result is factored or collected.
 """
 
-# sympy ships no types; it is used in this one module, which speaks types to the others:
+# sympy ships no types; it is used only in this module, whose interface is typed:
 # pyright: reportMissingTypeStubs=false, reportUnknownMemberType=false, reportUnknownVariableType=false
 # pyright: reportUnknownArgumentType=false, reportUnknownParameterType=false
 from __future__ import annotations
@@ -51,7 +51,7 @@ class TooLongError(Exception):
 def shortest(held: Expression, room: float = inf) -> Expression:
     """Return the shortest equivalent form found: over one denominator as a whole, or part by part.
 
-    Parts are given up once the symbols in them alone take more than `room`, in characters.
+    The search part by part stops when the symbols of the parts exceed `room` characters.
     """
     found = min((*_over_one(held), held), key=length)
     many = sum(1 for _ in held.symbols()) > PARTED
@@ -104,7 +104,7 @@ class RationalFunctions:
         self._atoms: list[Expression] = [Symbol(name) for name in names]
         self._spare = generators[len(names) :]
         self._met: dict[tuple[str, Any], Any] = {}
-        self._squares: dict[int, Any] = {}  # of roots, by the number of their generator
+        self._squares: dict[int, Any] = {}  # radicands, by index of the root's generator
 
     def of(self, held: Expression) -> Any:
         """Return a formula as an element of the field."""
@@ -136,7 +136,7 @@ class RationalFunctions:
         """Return a function or π as a generator of the field."""
         function = held.function if isinstance(held, Call) else held.latex() if isinstance(held, Pi) else "sqrt"
         if (function, inner) not in self._met:
-            if len(self._met) == len(self._spare):  # one root, written otherwise before its sine was met and after
+            if len(self._met) == len(self._spare):  # one root in two forms, before and after its sine occurred
                 raise TooLongError
             place = len(self._atoms)
             self._met[function, inner] = self._spare[len(self._met)]
@@ -221,8 +221,8 @@ class RationalFunctions:
 def _factored(side: Any) -> tuple[Any, list[tuple[Any, int]]]:
     """Return the numerical factor, and the irreducible factors with their powers.
 
-    What holds a symbol in its first power alone, p x + q, has those of the greatest common divisor of p and q, and what
-    is left, which is irreducible (Gauss's lemma); that costs far less than Wang's algorithm.
+    The factors of p x + q, of first degree in a symbol x, are those of the greatest common divisor of p and q, and the
+    quotient, which is irreducible (Gauss's lemma); that costs far less than Wang's algorithm.
     """
     for place in range(side.ring.ngens):
         powers = {monomial[place] for monomial in side}

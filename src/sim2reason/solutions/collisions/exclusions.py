@@ -19,8 +19,8 @@ from sim2reason.solutions.writing.unit_latex import SPEED
 class Excluded:
     """A pair that does not collide: its names and letters, the kind of argument and the number that proves it.
 
-    The number follows from its relative position and velocity, which `motion` tells in a sentence; on a line, `aside`
-    tells them in a few words.
+    The number follows from relative position and velocity, which the sentence `motion` states; on a line, the words
+    `aside` state them.
     """
 
     kind: str
@@ -200,7 +200,7 @@ class Together:
     meeting: int
     legs: dict[str, int]
     begins: Impact | None  # None: at the start
-    ends: Impact | None  # None: when the motion that counts ends
+    ends: Impact | None  # None: at the end time
 
     @property
     def meets(self) -> bool:

@@ -26,7 +26,7 @@ class FreeFlights(ABC):
     def __init__(self, setting: Setting, book: Book, *, timed: bool = False) -> None:
         """Take the problem and the book; UnsolvedError for bodies that act on each other between collisions.
 
-        `timed`: all impacts have their times in the end, so that the text goes from one to the next.
+        With `timed`, all collisions get their times, so that the text proceeds from one to the next.
         """
         self.setting, self.book, self.mechanism, self.timed = setting, book, setting.mechanism, timed
         m = self.mechanism
@@ -42,11 +42,11 @@ class FreeFlights(ABC):
         self.struck: dict[int, dict[int, Polynomial]] = {}
         self.sums: dict[
             Symbol, tuple[Symbol, Symbol]
-        ] = {}  # times since the start: when a flight began, how long it was
-        self.flown: set[tuple[str, int]] = set()  # flights of which the text says that they go on until the moment
+        ] = {}  # for times since the start: the flight's start time and duration
+        self.flown: set[tuple[str, int]] = set()  # flights stated to last until the moment
         self.relative: dict[
             int, tuple[list[Expression], list[Expression], Symbol | None, list[str]]
-        ] = {}  # of discs that meet
+        ] = {}  # relative motion of colliding discs
         self.approaches: dict[int, tuple[dict[str, Symbol], Symbol]] = {}
 
     # ---- numbers
@@ -118,7 +118,7 @@ class FreeFlights(ABC):
     def pair_mark(self, bodies: Iterable[str], begins: Impact | None) -> str:
         """Return the subscript of the relative motion of a pair: its letters and a collision number.
 
-        It is the impact just after which the motion is told; there is no number for what is so at t = 0.
+        The motion is that just after this collision; at t = 0 there is no number.
         """
         letters = "".join(map(self.setting.mark, bodies))
         return letters if begins is None else f"{letters},{begins.number + 1}"

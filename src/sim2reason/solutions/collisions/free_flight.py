@@ -29,7 +29,7 @@ BOUNDS = (("s", r"\text{top}"), ("d", r"\text{max}"))  # names of the highest po
 def tell_nearer(flights: Impacts, body: str, leg: Leg, distance: Symbol) -> None:
     """Write that a body was nearer than a distance before a flight: it was inside a box with a near corner.
 
-    Nothing rests on it, and nothing is said where the corner is too far, or where numbers are not known.
+    No other step depends on it; nothing is written if the corner is too far away, or for unknown numbers.
     """
     impact, begins, book = leg.after, flights.begins(leg), flights.book
     if impact is None or begins is None or impact.bodies != (body,):
@@ -132,7 +132,7 @@ class FlightPart(Stretch):
 
     flights: Flights
     number: int
-    until: Symbol | None  # the time at which it is left
+    until: Symbol | None  # end time; None: zero duration
 
     def path(self, body: str) -> Expression:
         """Return the distance covered during the flight."""

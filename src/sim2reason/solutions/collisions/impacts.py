@@ -153,7 +153,7 @@ class Impacts(FreeFlights, ABC):
         if book.is_hidden(formula) or book.is_hidden(span):
             return
         obstacle, planar = self.obstacle(impact.meeting), len(self.coordinates(body)) > 1
-        if planar and book.value(formula) <= 0.0:  # it is drawn away from the wall
+        if planar and book.value(formula) <= 0.0:  # gravity pulls the body away from the wall
             return
         step, name = book.open("verify"), book.fresh("t", r"\text{flight}")
         exceeds(book, step, formula, span)
@@ -209,7 +209,7 @@ class Impacts(FreeFlights, ABC):
         step, name = self.book.open("rebound"), self.book.after("v", self.mark(body, k))
         formula = (e * before).scaled(-1.0).expression()
         met = self.met(impact).replace(" hits ", " rebounds from ")
-        if impact.number in self.times:  # the text has just said from what
+        if impact.number in self.times:  # the text has just named the wall
             met = f"{capital(self.setting.called(body))} rebounds"
         step.say(f"{met} with {step.result(name, formula, SPEED, law=True)}{self._kept(body, k)}.")
         step.close()
@@ -233,7 +233,7 @@ class Impacts(FreeFlights, ABC):
         x, y = (Polynomial.of(name) for name in names)
         momentum = step.law((m * u + n * w).expression(), (m * x + n * y).expression())
         parting = step.law((y - x).expression(), multiplied(e.expression(), (u - w).expression()))
-        known = impact.number in self.times  # the text has just said who meets
+        known = impact.number in self.times  # the text has just named the bodies
         if any(held.kind == "impact" for held in self.book.steps):
             step.say(f"{'As before' if known else self.met(impact)}: {momentum} and {parting}.")
         else:

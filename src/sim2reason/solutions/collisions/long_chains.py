@@ -19,7 +19,7 @@ Side = tuple[Frames, Mechanism]
 def gap_at_start(lexicon: Lexicon, frames: tuple[Frames, Frames], number: int) -> Polynomial:
     """Return the initial gap of a meeting, m; UnreadError if it is no simple function of the stated numbers.
 
-    For a disc and a wall the gap may be a sum of three lengths: the positions of the wall and the disc, and the radius.
+    For a disc and a wall, the gap may be a sum of three lengths: the positions of wall and disc, and the radius.
     """
     sides: list[Side] = [(frames[0], lexicon.mechanism), (frames[1], lexicon.twin)]
     whole = Both(*(_place(*side, number) - side[1].meetings[number].distance for side in sides))
@@ -74,7 +74,7 @@ def in_rows(steps: Sequence[Step]) -> list[Step]:
             group += more
             told.update(step.id for step in more)
             waiting = [step for step in waiting if step.id not in told]
-        rows = group if kind == TIME else [_row(group)]  # each time is counted from another event
+        rows = group if kind == TIME else [_row(group)]  # times count from different events
         place |= {step.id: (step if kind == TIME else group[0]).id for step in group}
         found += rows
     return [replace(s, needs=tuple(sorted({place[n] for n in s.needs if n in place} - {s.id}))) for s in found]

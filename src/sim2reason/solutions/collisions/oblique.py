@@ -62,7 +62,7 @@ def _meet(flights: Impacts, impact: Impact) -> Symbol:
         step.result(q, along, latex("m^2/s"), law=True),
     ]
     aside: Expression = ZERO
-    if len(X) > 1:  # |X|² |u|² = (X·u)² + (X×u)²: q² − p |X|² would leave few digits where they hardly touch
+    if len(X) > 1:  # |X|² |u|² = (X·u)² + (X×u)²: q² − p |X|² would lose digits in a grazing collision
         c = book.fresh("c", pair)
         said.append(step.result(c, X[0] * u[1] - X[1] * u[0], latex("m^2/s"), law=True))
         aside = Power(c, 2)
@@ -129,7 +129,7 @@ def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[
         w = flights.velocity(other, legs[other], j, since) - flights.velocity(one, legs[one], i, since)
         if flights.acceleration(i) - flights.acceleration(j):
             raise ValueError("discs that are accelerated differently")
-        if apart or w:  # along an axis on which nothing differs nothing happens
+        if apart or w:  # axes without relative position and velocity are omitted
             found.append((flights.mechanism.coordinates[i].label, apart, w))
     step = flights.book.open("relative")
     if any(flights.acceleration(i) for i in flights.coordinates(one)):
@@ -151,7 +151,7 @@ def _named(
 ) -> tuple[list[Expression], list[Expression], list[str]]:
     """Return names of nonzero relative coordinates and velocities, with the equations that define them.
 
-    Nor does the coordinate along the only axis of the relative velocity, which is told only where a time is asked for.
+    The coordinate along the only axis of the relative velocity gets no name: only the collision time depends on it.
     """
     X, u, said = list[Expression](), list[Expression](), list[str]()
     along = _only_axis([w.expression() for _, _, w in found])
@@ -182,7 +182,7 @@ def _approach(flights: Impacts, impact: Impact) -> tuple[dict[str, Symbol], Symb
     along = summed(multiplied(w, m) for w, m in zip(u, n.values(), strict=True))
     step.say(f"The relative velocity along the line is {step.result(approach, along, SPEED, law=True)}.")
     step.close()
-    for label in across:  # which only velocities after the collision depend on
+    for label in across:  # needed only for velocities after the collision
         name, part = n[label], parts[labels.index(label)]
         book.told("normal", f"The {label} component of the unit vector is", name, part)
     return n, approach
@@ -191,7 +191,7 @@ def _approach(flights: Impacts, impact: Impact) -> tuple[dict[str, Symbol], Symb
 def _normal(flights: Impacts, impact: Impact) -> tuple[list[Expression], str]:
     """Return the components of the unit vector along the line of centres, and the words before them.
 
-    Where the relative velocity is along one axis, no time is needed: the offset y gives sin φ = y/d.
+    If the relative velocity is along one axis, no time is needed: the offset y gives sin φ = y/d.
     """
     X, u, since, labels = _relative(flights, impact)
     distance, axis = _distance(flights, impact), _only_axis(u)
@@ -239,7 +239,7 @@ def _part(flights: Flights, impact: Impact) -> dict[int, Polynomial]:
 def tell_side(flights: Flights, body: str, k: int, distance: Symbol) -> None:
     """Write that a body stays within a distance of its start until its last flight, and its direction after that.
 
-    Where numbers are unknown, it is written in the end; in symbols the problem assumes it.
+    With unknown numbers it is written at the end; a symbolic problem assumes it.
     """
     book, number = flights.book, flights.count(body, None)
     ends = [flights.place(body, n, k, None).expression() for n in range(1, number + 1)]

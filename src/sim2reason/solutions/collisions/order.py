@@ -63,7 +63,7 @@ class CollisionOrder:
     def tell(self, until: Symbol | None) -> None:
         """Write why no other bodies collide first: at the start, and after each collision where it is not obvious.
 
-        `until` names the time until which the motion counts; None if it never ends.
+        `until` is the symbol of the end time; None if the motion has no end.
         """
         self._until = until
         for begins in (None, *self._early):
@@ -74,7 +74,7 @@ class CollisionOrder:
     def _tell_apart(self, begins: Impact | None) -> None:
         """Write which bodies do not collide with their velocities after a collision, or at the start.
 
-        At the start, bodies that would collide only later are among them: the first collision is shown to be the first.
+        At the start they include bodies that would collide later, which proves that the first collision is the first.
         """
         step, told = self._book.open(ORDER), list[Excluded]()
         for stretch in self._held:
@@ -216,7 +216,7 @@ class CollisionOrder:
     def _later(self, motion: RelativeMotion, held: Together, span: Expression) -> Excluded:
         """Return the argument that two bodies would collide only after the interval, at a time since t = 0.
 
-        Two that do collide then are shown not to be the next to do so.
+        If the two bodies do collide then, this proves that others collide before.
         """
         flights = self._flights
         ends = self._held.following(held.begins) if held.meets else held.ends

@@ -15,9 +15,9 @@ OUTCOME = frozenset({"after", "solve"})  # kinds of the steps that give velociti
 def in_order(steps: Sequence[Step], earliest: Mapping[int, int], late: AbstractSet[str]) -> list[Step]:
     """Move each argument behind the steps that its numbers follow from and behind the first collision time.
 
-    That is the first one among the steps from a number on, which `earliest` has by the number of the argument.
-    An argument with one of the names that are known only `late`, at the end, stays where it is; what it will show is
-    supposed before the unknown is solved for.
+    `earliest` has, for each argument, the index of the step from which on that collision is sought. An argument with
+    names that are known only at the end, `late`, stays in its position; its conclusion is assumed before the unknown is
+    solved for.
     """
     found = [step for step in steps if step.kind != ORDER or not late.isdisjoint(step.symbols())]
     for step in steps:

@@ -29,7 +29,7 @@ class Drive:
     growth: Symbol | None = None
     frequency: Expression | None = None
     slope: Symbol | None = None
-    along: int = 0  # the axis on which its place matters
+    along: int = 0  # axis along which the field varies
     phase: Expression = ZERO
 
     def at(self, time: Expression, moved: Callable[[int], Expression]) -> Expression:

@@ -12,7 +12,7 @@ from sim2reason.solutions.writing.unit_latex import RADIANS
 class InitialAnomaly:
     """The initial eccentric anomaly E₀ from p = e cos E₀ and q = e sin E₀, by the best-conditioned inverse function.
 
-    `formula` is that of p; `radial` returns a clause that says whether the body recedes or approaches at first.
+    `formula` is that of p; `radial` returns a clause that the body initially recedes or approaches.
     """
 
     def __init__(

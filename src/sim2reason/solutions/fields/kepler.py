@@ -1,8 +1,8 @@
 """Kepler orbits: the ellipse of a light body about a fixed centre, and its position at a given time.
 
-Time is told by how far the eccentric anomaly E has grown, η = E − E₀; with p = e cos E₀ = 1 − r₀/a and
-q = e sin E₀ = r₀·v₀/√(µa), Kepler's equation reads n t = η − p sin η + q (1 − cos η), and the place is
-c₁ r₀ + c₂ v₀, as Lagrange has it (Bate, Mueller and White, *Fundamentals of Astrodynamics*, 4.4).
+The variable is the increase of the eccentric anomaly, η = E − E₀. With p = e cos E₀ = 1 − r₀/a and
+q = e sin E₀ = r₀·v₀/√(µa), Kepler's equation reads n t = η − p sin η + q (1 − cos η), and the position is
+c₁ r₀ + c₂ v₀ with Lagrange's coefficients (Bate, Mueller and White, *Fundamentals of Astrodynamics*, 4.4).
 """
 
 from collections.abc import Callable
@@ -125,7 +125,7 @@ class KeplerOrbit:
     def across(self) -> Expression:
         """Return e sin E₀, where E₀ is the initial eccentric anomaly."""
         if self.dot == ZERO:
-            return ZERO  # it begins at an apsis
+            return ZERO  # the start is an apsis
         E, e, root = self.anomaly.latex(), self.oval.latex(), Root(self.parameter * self.axis)
         said = rf"The distance times the radial velocity is ${root.latex()}\,{e} \sin {E}$, so the initial value of"
         return self.book.told("anomaly", rf"{said} ${e} \sin {E}$ is", self.named("q"), self.dot / root)

@@ -17,7 +17,7 @@ HALF = Number(0.5)
 class Crossed(Driven):
     """Motion in an electric field that varies along its own direction, across a uniform magnetic field.
 
-    Across the electric field the velocity changes by Ω times the way along it, so that along it the force is linear.
+    The velocity across the field changes by Ω times the displacement along it, so the force along it is linear.
     """
 
     _displacement: Expression | None = None
@@ -94,7 +94,7 @@ class Slowed(FieldMotion):
 class Turning(FieldMotion):
     """Motion in a uniform magnetic field, perhaps with a uniform electric field and linear drag.
 
-    The velocity is one that the fields keep up, such as the drift E/B, and one that turns at the rate Ω, and decays.
+    The velocity is the sum of a drift, such as E/B, and a part that rotates at the rate Ω and decays with drag.
     """
 
     def __init__(self, fields: Fields, launch: list[Expression]) -> None:

@@ -285,7 +285,7 @@ def motion_in(fields: Fields, launch: list[Expression]) -> FieldMotion:
     """Return the motion in given fields; UnsolvedError if it has no closed form here."""
     if fields.resists:
         return Slowed(fields, launch)
-    drive = fields.drive  # first, so that its sentence stands first
+    drive = fields.drive  # evaluated first so that its sentence comes first
     if fields.turning is not None and drive is not None and drive.along == drive.axis and drive.slope is not None:
         return Crossed(fields, launch)
     if fields.turning is not None:

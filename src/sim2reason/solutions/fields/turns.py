@@ -91,7 +91,7 @@ class Reach:
 def fastest_at_center(fields: Fields, launched: Expression) -> Symbol | None:
     """Write the greatest speed in a restoring field, by energy, at its zero; None in other fields.
 
-    `launched` is the speed at the start.
+    `launched` is the initial speed.
     """
     drive, book = fields.drive, fields.book
     if drive is None or drive.slope is None or drive.along != drive.axis or book.value(drive.slope) >= 0.0:
@@ -125,7 +125,7 @@ class FieldTurn:
         """Take the moment, the fields and the motion."""
         self.moment, self.fields, self.motion = moment, fields, motion
         self.book, self.setting = fields.book, fields.setting
-        self._timed = False  # whether it is told after which time half a turn is made
+        self._timed = False  # whether the text states the time of half a turn
 
     @property
     def _who(self) -> str:
@@ -162,7 +162,7 @@ class FieldTurn:
         if isinstance(self.moment, VelocityTurned):
             return self._turned(name, launched)
         if isinstance(self.moment, VelocityReturned):
-            self.motion.rate(0, name)  # so that it is told first what turns
+            self.motion.rate(0, name)  # so that the rotating part is introduced first
             said = f"When its rotating part has made a full turn, {self._who} has its initial velocity again, after"
             return self.book.told("turn", said, name, TWO_TURNS * PI / self.pace, SECONDS)
         return self._across(name)

@@ -211,8 +211,8 @@ def single(parts: Components, known: Known) -> Symbol | None:
 def modulus(held: Expression, book: Book, *, of_either_sign: bool = False) -> Expression:
     """Return the absolute value of a formula, with bars where its value is negative.
 
-    With `of_either_sign` a formula in symbols is between bars whatever its value is. What hangs on an unknown changes
-    its sign instead, so that it can be solved for that.
+    With `of_either_sign`, a symbolic formula always stands between bars. A formula that depends on an unknown changes
+    its sign instead, so that it can be solved for the unknown.
     """
     positive = book.value(held) >= 0.0
     if isinstance(held, Root | Absolute):
@@ -239,14 +239,14 @@ def magnitude(
 ) -> Expression:
     """Return the magnitude of a vector as a formula of its components, each of which gets a name.
 
-    Components along the axes of the room are said to be `relative_to` something.
+    For components along world axes, the sentence names the frame `relative_to`.
     """
     one = single(parts, known)
     if one is not None:
         return modulus(one, known.book, of_either_sign=needs_modulus(known.setting, known.book, one, body))
     axes = known.axes(body)
     kept = [(axis, way, part) for axis, way, part in zip(axes, (X, Y, Z), parts, strict=True) if part]
-    kind = "components" if any(part.symbol is None for _, _, part in kept) else "meaning"  # it gives no name
+    kind = "components" if any(part.symbol is None for _, _, part in kept) else "meaning"  # "meaning" defines no names
     step, mark = known.book.open(kind), known.setting.mark(body)
     names, sentences = list[Symbol](), list[str]()
     for axis, way, part in kept:

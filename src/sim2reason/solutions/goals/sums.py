@@ -192,7 +192,7 @@ class PathLength(SumGoal):
     def write(self, target: Target, known: Known) -> Symbol:
         """Write the terms that have no names yet, such as those of a body that turns back, then the sum."""
         found = (term for part in known.stretches for term in part.paths(target.subject))
-        terms = [term for term in found if term != ZERO]  # it has none in a flight that only begins at the moment
+        terms = [term for term in found if term != ZERO]  # zero for a flight that begins at the moment
         whole: Expression = ZERO
         for term in terms:
             whole = added(whole, term)
@@ -268,7 +268,7 @@ class CollisionGoal(Goal):
     """
 
     noun: VectorName
-    of: str  # whose collisions: pair, body, whole
+    of: str  # bodies of the collisions: pair, body or whole
     several: bool
 
     @property

@@ -24,7 +24,7 @@ class Shared:
 class Measure:
     """The quantities that laws relate: accelerations, or displacements where no force matters.
 
-    `values` are the engine's, by coordinate; `known` is a coordinate whose value has a name already.
+    `values` has the engine's values by coordinate; `known` is a coordinate whose value has a symbol already.
     """
 
     base: str

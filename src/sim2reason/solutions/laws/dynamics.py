@@ -23,8 +23,8 @@ class Dynamics:
         self.setting, self.book, self.segment = setting, book, segment
         self.newton = Newton(setting.lexicon, segment)
         self.mechanism = setting.mechanism
-        self.names: dict[str, Polynomial] = {}  # of the unknowns of Newton's laws, in the symbols of the book
-        self.bound: dict[str, Polynomial] = {}  # accelerations by those of others to which strings bind them
+        self.names: dict[str, Polynomial] = {}  # unknowns of Newton's laws in the symbols of the book
+        self.bound: dict[str, Polynomial] = {}  # accelerations in terms of others bound by strings
         self.shared: list[Shared] = []
         self.groups: list[list[Row]] = []
         self.sense: dict[int, int] = {}
@@ -40,7 +40,7 @@ class Dynamics:
             k for face, side in self.newton.rough.items() if side == 0 and (k := self.newton.alone(face)) is not None
         }
         rows = [self.newton.string(place).inertia for place in self.taut]
-        for _ in rows:  # what is held can hold more
+        for _ in rows:  # bodies at rest can hold others
             left = [row.put({f"q{k}": NIL for k in held}) for row in rows]
             held |= {int(next(n for n in row.names() if n[0] == "q")[1:]) for row in left if len(row.terms) == 1}
         return held
@@ -58,7 +58,7 @@ class Dynamics:
     def carried(self) -> dict[int, tuple[int, float]]:
         """Return, for each coordinate parallel to its carrier's, the carrier's coordinate and the relative sign.
 
-        A slab on a slab on a slope: there one speaks of the acceleration of each, not of one relative to the other.
+        For slabs on each other on a slope, texts give the acceleration of each slab, not the relative one.
         """
         found: dict[int, tuple[int, float]] = {}
         if self.measure.values:
@@ -113,7 +113,7 @@ class Dynamics:
         rows += [newton.string(place) for place in self.taut]
         rows += [newton.rolling(face) for face in sticking if newton.alone(face) is None]
         still = {f"q{k}": NIL for k in self.frozen}
-        for k, (j, sign) in self.carried.items():  # from now on that of the body itself, not relative to its carrier
+        for k, (j, sign) in self.carried.items():  # converted to that relative to the ground
             still[f"q{k}"] = symbol("q", k) - symbol("q", j).scaled(sign)
         rows = [Row(r.kind, r.number, r.forces.put(still), r.inertia.put(still)) for r in rows]
         unknowns = [f"q{k}" for k in range(size) if k not in self.frozen]
@@ -130,7 +130,7 @@ class Dynamics:
         """Return the values of the unknowns, in SI units, as the engine computed them."""
         pairs = zip(self.measure.values, self.newton.scale, strict=False)
         found = self.newton.values | {f"q{k}": value * scale.here for k, (value, scale) in enumerate(pairs)}
-        for k, (j, sign) in self.carried.items():  # in the order of bodies, so that a carrier's is there already
+        for k, (j, sign) in self.carried.items():  # carriers come first
             found[f"q{k}"] += sign * found[f"q{j}"]
         return found
 
@@ -158,7 +158,7 @@ class Dynamics:
         known = {f"q{self.measure.known[0]}"} if self.measure.known else set[str]()
         for k in sorted(int(name[1:]) for name in used | known | {goal for goal in goals if goal[0] == "q"}):
             members[k] = {k: 1}
-        for row in laws:  # also those strings that an answer does not need: equal rates have one name all the same
+        for row in laws:  # also strings that the answer does not need: equal rates share a symbol
             pair = equal(row)
             if pair is None:
                 continue

@@ -29,7 +29,7 @@ def acceleration_over_distance(
 ) -> tuple[Expression, str]:
     """Return the acceleration in d = ½ a t², or its magnitude, with the reason to end a sentence.
 
-    The magnitude is for bodies that may start from rest in either direction, unless an assumption excludes one.
+    The magnitude is returned for bodies that may start in either direction, unless an assumption excludes one.
     """
     if begun != ZERO or not has_either_sign(setting, book, a, bodies):
         return a, ""
@@ -61,7 +61,7 @@ def _is_assumed_positive(setting: Setting, book: Book, held: Expression) -> bool
     try:
         answer = compiled(setting.formula.latex, setting.formula.symbols)
         values = [answer.value(at) for positive, at in _signs(setting, book, held) if not positive]
-    except (KeyError, ValueError):  # it holds a number that comes in later
+    except (KeyError, ValueError):  # contains a number defined later
         return False
     return all(value is None or value < 0.0 for value in values)
 
@@ -81,5 +81,5 @@ def _signs(setting: Setting, book: Book, held: Expression) -> Iterator[tuple[boo
             for name, formula in formulas.items():
                 at[name] = float(formula.value(at).real)
             yield float(held.value(at).real) > 0.0, at
-        except (KeyError, ValueError, ArithmeticError):  # it is no motion with these numbers
+        except (KeyError, ValueError, ArithmeticError):  # no motion with these numbers
             continue

@@ -110,10 +110,10 @@ class EquationsOfMotion:
         self._there, two = assembled(lexicon.twin, phase)
         self._tapes = one, two
         self._known: dict[tuple[int, int], Polynomial] = {}
-        self._squares: dict[Expression, Polynomial] = {}  # by root, what stands under it
+        self._squares: dict[Expression, Polynomial] = {}  # radicands by root
         self._forms: tuple[dict[int, int], dict[int, int]] = {}, {}
         self._shared: dict[tuple[str | int, ...], int] = {}  # numbers of forms
-        self._below: dict[Expression, Polynomial] = {}  # what one is divided by
+        self._below: dict[Expression, Polynomial] = {}  # denominators of reciprocals
 
     def inertia(self, k: int) -> Polynomial:
         """Return row k of the mass matrix times the accelerations."""
@@ -218,7 +218,7 @@ class EquationsOfMotion:
         if operation == "constant":
             return self.number(Both(one.constants[a], two.constants[c]))
         if operation in ("+", "*") and self._form(0, a) != self._form(1, c) and self._form(0, a) == self._form(1, d):
-            c, d = d, c  # the tape orders operands by when it first met them
+            c, d = d, c  # the tape orders operands by first use
         first = self._node(a, c)
         if operation in ("sin", "cos"):
             return self._turned(operation, first)
@@ -236,7 +236,7 @@ class EquationsOfMotion:
         return self.names.place(number - 1) if number <= size else self.names.rate(number - 1 - size)
 
     def _joined(self, operation: str, first: Polynomial, second: Polynomial) -> Polynomial:
-        """Return an operation on two polynomials; x/√(x²) is ±1."""
+        """Return an operation on two polynomials; a sum divided by itself, up to its sign, is ±1."""
         plain = first, second
         for one, other in (plain, plain[::-1]) if operation == "*" else ():
             (atom, part), *more = [*other.terms.items()] or [((), 0.0)]

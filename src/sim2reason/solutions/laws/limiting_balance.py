@@ -60,7 +60,7 @@ class LimitingBalance(LimitingDynamics):
         """Take the segment of the motion just beyond the limit, in which the `body` moves.
 
         Raises:
-            UnreadError: the mechanism is of another kind.
+            UnreadError: forces other than weight, strings, contacts and constant forces act.
         """
         super().__init__(setting, book, segment)
         self._who = body

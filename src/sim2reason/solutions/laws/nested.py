@@ -49,7 +49,7 @@ def solved(inner: Setting, book: Book, offered: Iterable[Way]) -> str:
     """Write the answer to the inner question by the first successful strategy; return its symbol.
 
     Raises:
-        UnsolvedError: none does.
+        UnsolvedError: no strategy succeeds.
     """
     reasons = ["no strategy has a way to what is asked about"]
     for way in offered:
@@ -74,7 +74,7 @@ def with_changed_scene(inner: Setting, changed: Study, path: str, symbol: str) -
 def with_other_value(inner: Setting, book: Book, goal: str, symbol: str, changed: Expression, lead: str) -> Symbol:
     """Write a known result with another expression in place of a given symbol; return its new name.
 
-    Where all steps put together give a short formula, by that; else step by step.
+    If all steps combine to a short formula, that formula is used; else each step is repeated.
     """
     whole = short_formula(inner, book, goal)
     other = tidied(_put(whole, {symbol: changed})) if whole is not None else None

@@ -1,8 +1,8 @@
 """Newton's second law of a mechanism with constant equations, in the symbols of the text.
 
-For each coordinate k, of the body that it moves with all that this carries: Σ m (a·e) = Σ F·e along its direction e.
-Forces of faces between these bodies do not appear. Symbols here are of this module's own: ``q3`` the acceleration of
-a coordinate (of a hinge, that of its rim), ``T2`` the tension of a line, ``N1`` and ``f1`` the forces of a face.
+For each coordinate k with direction e, the law Σ m (a·e) = Σ F·e is that of the body it moves with all that it carries.
+Contact forces between these bodies cancel. The module has its own symbols: ``q3`` is the acceleration of a coordinate
+(for a hinge, that of its rim), ``T2`` the tension of a line, ``N1`` and ``f1`` the forces of a contact.
 """
 
 from collections.abc import Callable
@@ -33,7 +33,7 @@ class Row:
     """One law, `forces` = `inertia`; that of a string has its accelerations as `inertia`, and no forces."""
 
     kind: str  # newton, normal, string, grip
-    number: int  # of the coordinate, face or line
+    number: int  # index of the coordinate, contact or line
     forces: Polynomial
     inertia: Polynomial
 

@@ -12,7 +12,7 @@ HALF = Number(0.5)
 def tell_in_the_air(rocket: Burning, velocity: Symbol, risen: Expression) -> None:
     """Write that a falling rocket with its engine off is still in the air, or that it cannot be falling.
 
-    The latter is written where the empty mass is unknown: falling as fast, it would never have lifted off.
+    The latter is written if the empty mass is unknown: with that velocity, the rocket would never have lifted off.
     """
     book, u, g = rocket.book, rocket.exhaust, rocket.gravity.expression()
     if book.value(velocity) > 0.0:
@@ -49,7 +49,7 @@ def _exclude_falling(rocket: Burning, velocity: Symbol, risen: Expression) -> No
 def exclude_burning(rocket: Burning, time: Symbol) -> None:
     """Write that a rocket with its engine still on would not be at the given distance.
 
-    It is told of an unknown rate of burning, with which the distance grows.
+    It applies to an unknown burning rate; the distance increases with this rate.
     """
     book, rate, query = rocket.book, rocket.rate_of_burning, rocket.query
     far = next((name for name, unit in book.units.items() if name in book.stated and unit == METRES), "")

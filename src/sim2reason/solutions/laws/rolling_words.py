@@ -32,7 +32,7 @@ def is_stepped(setting: Setting, body: str) -> bool:
 def rolling_bodies(dynamics: Dynamics, shared: Shared) -> list[str]:
     """Return the bodies with a shared rate that rotate while their centres move.
 
-    The rate is that of the rim relative to the centre, the radius times the rate of turning, and not that of the rim.
+    The rate is that of the rim relative to the centre, which is the radius times the angular rate.
     """
     bodies = (dynamics.mechanism.coordinates[k] for k in shared.sense)
     return [held.body for held in bodies if held.kind == "hinge" and dynamics.newton.moved(held.body)]
@@ -54,7 +54,7 @@ def turning_noun(dynamics: Dynamics, shared: Shared) -> str:
 def rolling_words(dynamics: Dynamics, body: str, shared: Shared) -> str:
     """Return the sentence that a body rolls without slipping, and its rotation with the positive sense.
 
-    An earlier phase may have counted the opposite sense of turning as positive.
+    The positive sense is repeated, since it may differ from that of an earlier phase.
     """
     rate = "the angle through which it turns" if dynamics.measure.values else "its angular acceleration"
     who, radius = capital(dynamics.setting.called(body)), radius_of(dynamics.setting, body)
@@ -89,9 +89,9 @@ def _positive(dynamics: Dynamics, shared: Shared, *, last: bool = True) -> str:
 def winding_way(dynamics: Dynamics, k: int, sense: int) -> str:
     """Return words for the positive sense of a pulley's rotation, such as *when the string runs onto pulley P*.
 
-    They are empty if no string runs over the pulley.
+    The words are empty if no string runs over the pulley.
     """
-    newton, body = dynamics.newton, dynamics.mechanism.coordinates[k].body  # the pace is that of what is wound up
+    newton, body = dynamics.newton, dynamics.mechanism.coordinates[k].body  # the rate is that of the string wound up
     for onto, to in ((True, "onto"), (False, "off")):
         for line in newton.lines:
             pace = newton.stretch(dynamics.mechanism.lines.index(line), k).value(dynamics.book.values) * sense

@@ -23,7 +23,7 @@ FEW = 20  # words: shorter repetitions are kept
 def shorten_second_case(book: Book, begun: int, changed: Mapping[str, str]) -> None:
     """Replace the steps from `begun` on that repeat laws by a sentence that the laws are the same.
 
-    `changed` has the name of the number that differs between the cases, with its name in the first one.
+    `changed` maps the name of the differing number to its name in the first case.
     """
     first, second, names = book.steps[:begun], book.steps[begun:], dict[str, str]()
     repeated = _repeated(book, first, second, names)
@@ -42,8 +42,8 @@ def shorten_second_case(book: Book, begun: int, changed: Mapping[str, str]) -> N
 def reuse_first_case(book: Book, begun: int, stated: Collection[str]) -> dict[str, str]:
     """Remove steps of the second case that repeat the first; return old names by new ones.
 
-    `stated` are names of the first case for numbers that the question says. If a motion has several phases, or a result
-    depends on an unknown, each case is told in full.
+    `stated` has the first case's names of numbers in the question. For a motion with several phases, or a result that
+    depends on an unknown, nothing is removed.
     """
     first, second = book.steps[:begun], book.steps[begun:]
     if book.phases or book.hidden or any(step.integration for step in second):
@@ -124,14 +124,14 @@ def _repeated(book: Book, first: Sequence[Step], second: Sequence[Step], names: 
 def _renaming(text: str, other: str) -> dict[str, str] | None:
     """Return the renaming that turns one text into another; None if they differ in anything else.
 
-    Two names never stand for one.
+    The renaming is one-to-one.
     """
     parts, others = text.split("$"), other.split("$")
     if len(parts) != len(others):
         return None
     found: dict[str, str] = {}
     for number, (part, its) in enumerate(zip(parts, others, strict=True)):
-        pattern = TOKEN if number % 2 else LABEL  # names stand in formulas, labels between them
+        pattern = TOKEN if number % 2 else LABEL  # names occur in formulas, labels between them
         if pattern.sub("", part) != pattern.sub("", its):
             return None
         new, old = ([match[0] for match in pattern.finditer(held)] for held in (part, its))
@@ -159,7 +159,7 @@ def verify_again(book: Book, symbol: str, changed: Expression, lead: str) -> Non
     """Write that each comparison that depends on a symbol still holds with `changed` in its place.
 
     Raises:
-        UnsolvedError: one does not.
+        UnsolvedError: a comparison does not hold.
     """
     formulas = {name: formula for name, formula in defined_by(book.steps).items() if name not in book.stated}
     hanging = _hanging(formulas, symbol)
@@ -198,7 +198,7 @@ def _exceeds_still(book: Book, held: Relation, formulas: Mapping[str, Expression
     """Check a comparison numerically with other formulas for names.
 
     Raises:
-        UnsolvedError: it does not hold.
+        UnsolvedError: the comparison does not hold.
     """
     at = dict(book.values)
     for name, formula in formulas.items():

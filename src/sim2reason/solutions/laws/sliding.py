@@ -35,7 +35,7 @@ def directions_of_friction(dynamics: Dynamics, rows: Sequence[Row]) -> list[str]
     sticking: list[str] = []
     for face, side in dynamics.newton.rough.items():
         body = dynamics.mechanism.faces[face].subject
-        if side and dynamics.newton.alone(face) is None:  # of what is round it is told with the point of contact
+        if side and dynamics.newton.alone(face) is None:  # round bodies: written with the point of contact
             continue
         if side and f"N{face}" in used:
             ways.setdefault(way_of_slip(dynamics, face, -side), []).append(body)
@@ -43,13 +43,13 @@ def directions_of_friction(dynamics: Dynamics, rows: Sequence[Row]) -> list[str]
             (force,) = dynamics.names[f"f{face}"].names()
             way = way_of_slip(dynamics, face, 1 if dynamics.values[f"f{face}"] >= 0.0 else -1)
             who = dynamics.setting.called(body)
-            if dynamics.book.in_symbols:  # it may be of either sense
+            if dynamics.book.in_symbols:  # either direction is possible
                 sticking.append(f"The static friction ${force}$ on {who} is counted as positive {way}.")
             else:
                 sticking.append(f"Static friction ${force}$ acts on {who} {way}.")
     said = [f"on {dynamics.setting.listed(bodies)} {way}" for way, bodies in ways.items()]
     bodies = [body for some in ways.values() for body in some]
-    stacked = any(body.parent in bodies for body in dynamics.mechanism.bodies)  # and so rub on both faces
+    stacked = any(body.parent in bodies for body in dynamics.mechanism.bodies)  # contacts on both faces
     begin = "From the surface beneath, friction" if stacked else "Friction"
     return [*([f"{begin} acts {joined(said)}."] if said else []), *sticking]
 
@@ -57,7 +57,7 @@ def directions_of_friction(dynamics: Dynamics, rows: Sequence[Row]) -> list[str]
 def verify_sliding(dynamics: Dynamics) -> None:
     """Write for each body that starts to slide why it does, and in this direction.
 
-    Where numbers are not known yet, that follows in the end; where all is in symbols, the text of the problem says it.
+    With unknown numbers it is written at the end; in symbolic problems the text states it.
     """
     book = dynamics.book
     if book.in_symbols:
@@ -123,9 +123,9 @@ def _tell_accelerated(dynamics: Dynamics, relative: Expression, faces: Sequence[
 
 
 def _without_friction(dynamics: Dynamics, found: Symbol) -> Expression | None:
-    """Return the acceleration without friction, if the text gives only that with friction in one direction.
+    """Return the acceleration without friction if that with friction follows from a given speed or time; else None.
 
-    That is positive whichever way the bodies move, so it does not show the direction. None for any other.
+    Such an acceleration is positive for either direction of motion, so it does not prove the direction.
     """
     book, formula = dynamics.book, dynamics.book.formulas.get(found.name)
     solved = any(step.kind == SOLVED and found.name in step.gives for step in book.steps)
@@ -133,7 +133,7 @@ def _without_friction(dynamics: Dynamics, found: Symbol) -> Expression | None:
     if formula is None or not solved or len(dynamics.shared) != 1 or (target and target.quantity in FORCES):
         return None
     if any(isinf(dynamics.mechanism.faces[face].friction) for face in dynamics.newton.rough):
-        return None  # what holds without a limit may act along the motion, too
+        return None  # an unlimited constraint may also act along the motion
     formula = put_all(formula, {name: book.formulas[name] for name in reversed(book.formulas) if name != found.name})
     coefficients = (dynamics.newton.coefficient(face) for face in dynamics.newton.rough)
     return put_all(formula, {name: ZERO for coefficient in coefficients for name in coefficient.names()})

@@ -34,10 +34,10 @@ class End:
 
     time: Symbol | None = None
     coordinate: int = -1
-    distance: Polynomial | None = None  # in the sense of the coordinate; None: it comes to rest
+    distance: Polynomial | None = None  # along the coordinate; None: the coordinate comes to rest
     what: str = ""  # in words
-    slip: Mapping[int, Polynomial] = field(default_factory=dict[int, Polynomial])  # whose sum of rates comes to zero
-    turned: int | None = None  # the face on which the body slips the other way from then on
+    slip: Mapping[int, Polynomial] = field(default_factory=dict[int, Polynomial])  # factors of slip
+    turned: int | None = None  # contact at which the direction of slip reverses
 
 
 HALF = Number(0.5)
@@ -50,11 +50,11 @@ class Stage:
     setting: Setting
     book: Book
     segment: Segment
-    span: float  # s, for signs alone
+    span: float  # duration, s, used only for signs
     end: End
     speeds: Mapping[int, Polynomial] = field(default_factory=dict[int, Polynomial])
     places: Mapping[int, Polynomial] = field(default_factory=dict[int, Polynomial])
-    uniform: bool = False  # nothing is accelerated any more
+    uniform: bool = False  # all velocities are constant
 
     def __post_init__(self) -> None:
         """Prepare the laws of the segment, and convert initial values to those relative to the ground."""
@@ -125,7 +125,7 @@ class Stage:
     def path(self, k: int) -> Expression:
         """Return the distance travelled along a coordinate in this stage, with reversals, m."""
         shared = None if self.uniform else self._shared(k)
-        if shared is None or (self._ends(shared) and self.end.distance is not None):  # it ends on its way there
+        if shared is None or (self._ends(shared) and self.end.distance is not None):  # no reversal before the end
             return self._size(self.gain(k).expression())
         begun, late = self._begun(shared), self._value(shared, moved=False)
         early = self.book.value(begun.expression())
@@ -202,7 +202,7 @@ class Stage:
         gained = total(part * self.acceleration(k) for k, part in self.end.slip.items())
         step, name = self.book.open("time"), self.book.fresh("t")
         law = step.law(*balance(begun + gained * Polynomial.of(name)))
-        swapped = -1.0 if self.book.value(gained.expression()) > 0.0 else 1.0  # so that both parts are positive
+        swapped = -1.0 if self.book.value(gained.expression()) > 0.0 else 1.0  # makes both parts positive
         formula = ratio(begun.scaled(swapped).expression(), gained.scaled(-swapped).expression())
         step.say(f"{self.end.what} {law}, so {step.result(name, formula, SECONDS)}.")
         step.close()

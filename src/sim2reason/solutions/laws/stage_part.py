@@ -142,7 +142,7 @@ def _along(mechanism: Mechanism, frames: Frames, of: tuple[str, str, int]) -> fl
 def verify_still_sliding(stages: Sequence[Stage]) -> None:
     """Write for each body whose sliding slows down that it still slides at the end of a stage.
 
-    Nothing rests on it. Where numbers are not known yet, it follows in the end.
+    No other step depends on it. With unknown numbers it is written at the end.
     """
     for number, stage in enumerate(stages):
         told = stages[: number + 1]
@@ -180,7 +180,7 @@ def _slowing(stage: Stage) -> list[int]:
 def _gained(stage: Stage, face: int, *, first: bool) -> Polynomial | None:
     """Return the change of a body's slip velocity in a stage; None if it is unknown.
 
-    The `first` stage adds to the velocity with which it begins.
+    For the `first` stage, the initial slip velocity is included.
     """
     dynamics, parts = stage.dynamics, sliding_coordinates(stage.dynamics.mechanism, face)
     moving = [(k, 1.0) for k, _ in parts]

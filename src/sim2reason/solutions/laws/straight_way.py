@@ -114,7 +114,7 @@ class Way(ABC):
     def projected(self, body: str, way: Vector, rates: Mapping[int, Polynomial]) -> Polynomial:
         """Return the component of a body's motion along a direction, given its rates by coordinate.
 
-        A slanted sense holds the scene's own numbers, so that the twin's could not be read along it.
+        An oblique direction depends on the scene's numbers, so it must not be used for the twin.
         """
         parts: list[Polynomial] = []
         for k, rate in rates.items():

@@ -24,7 +24,7 @@ def balanced_tensions(
 ) -> tuple[dict[str, Polynomial], dict[str, frozenset[str]]]:
     """Return tensions in terms of others by the balance of light pulleys, and the labels of these balances.
 
-    `goals` are found by others last. UnsolvedError where a balance has a ratio that changes.
+    `goals` are eliminated last. UnsolvedError if a balance has a varying ratio.
     """
     found: dict[str, Polynomial] = {}
     labels: dict[str, frozenset[str]] = {}
@@ -62,8 +62,8 @@ def needed(
 ) -> list[Row]:
     """Return the laws that determine the goals, in order; UnsolvedError if all laws together do not.
 
-    The weights with which laws add up to a goal are unique where the laws are independent: those of weight 0 are idle.
-    Where they are not (two frictions of which only the sum is fixed), laws are left out one by one.
+    If the laws are independent, the weights of their sum for a goal are unique, and laws of weight 0 are omitted. If
+    they are not (two friction forces of which only the sum is determined), laws are omitted one by one.
     """
     matrix = np.array([[row.zero.coefficient(name).value(values) for name in unknowns] for row in rows])
     matrix = matrix.reshape(len(rows), len(unknowns))
@@ -104,7 +104,7 @@ TAUT = "tension check"  # kind of these steps
 def verify_taut(dynamics: Dynamics, rows: Sequence[Row]) -> None:
     """Schedule the check that strings stay taut whose tensions the solution does not compute otherwise.
 
-    `rows` are the laws. Nothing rests on it; where all is in symbols, the text of the problem says it.
+    `rows` are the laws. No other step depends on the check; in symbolic problems the text states it.
     """
     book = dynamics.book
     if dynamics.taut and not dynamics.measure.values and not book.in_symbols:

@@ -64,7 +64,7 @@ def verify_remaining(book: Book, left: Symbol, formula: Expression, until: str) 
 def verify_farther(book: Book, whole: Polynomial, covers: tuple[Symbol, Polynomial], who: str) -> None:
     """Write that earlier stages do not cover a distance; at the end if it depends on the unknown.
 
-    `whole` is what is left of the way; `covers` are the distance, and how far the body has come.
+    `whole` is the remaining distance; `covers` has the distance and the displacement so far.
     """
     rest, (distance, place) = whole.expression(), covers
 

@@ -72,8 +72,8 @@ class DynamicsWriter:
         self.names = dynamics.names
         self.goals = [_name_of(dynamics.names[goal]) for goal in goals]
         self._labels: list[str] = []
-        self.inline: dict[str, Polynomial] = {}  # normal forces that weights alone give
-        self.pressed: dict[str, Polynomial] = {}  # the others, in terms of accelerations
+        self.inline: dict[str, Polynomial] = {}  # normal forces due to weights alone
+        self.pressed: dict[str, Polynomial] = {}  # other normal forces in terms of accelerations
         dynamics.bound = {}
 
     def _open(self, kind: str) -> Writing:
@@ -240,7 +240,7 @@ class DynamicsWriter:
         row = self._row(group)
         k = group[0].number
         moves = self.names.get(f"q{k}", NIL)
-        if k in self.d.carried:  # what it carries along with it is in the law of its carrier
+        if k in self.d.carried:  # the common acceleration is in the law of its carrier
             j, sign = self.d.carried[k]
             moves = moves - self.names.get(f"q{j}", NIL).scaled(sign)
         moves = moves.scaled(float(self.d.sense.get(k, 1)))
@@ -294,7 +294,7 @@ class DynamicsWriter:
         own = [self._body(row.number) for row in group]
         if self.d.mechanism.coordinates[k].kind == "hinge":
             return f"torque on {self.d.setting.called(own[0])}{inertia_words(self.d, k)}"
-        said = {self.d.setting.called(body) for body in own}  # as of a pulley and its carrier
+        said = {self.d.setting.called(body) for body in own}  # a pulley and its carrier share a name
         heavy = [b.name for b in self.d.mechanism.bodies if b.mass and b.name not in own]
         riders = [body for body in heavy if self._carried(body, own) and self.d.setting.called(body) not in said]
         who = self.d.setting.listed(own)
