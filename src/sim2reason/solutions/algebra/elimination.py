@@ -167,7 +167,7 @@ class Elimination:
     def _weights(
         self, equations: Sequence[Equation], name: str, left: set[str], free: Sequence[str]
     ) -> list[tuple[Equation, Polynomial]]:
-        """Return all equations, each weighted by the derivative of its velocity; empty if forces do not cancel."""
+        """Return all equations, weighted by their accelerations per unit of a free one; empty if forces do not cancel."""
         weighted = _whole([(e, weight) for e in equations if (weight := e.moves.coefficient(name))])
         zero = total(e.zero * weight for e, weight in weighted)
         return [] if zero.names() & (left - set(free)) else weighted
@@ -282,7 +282,7 @@ def _whole(weighted: list[tuple[Equation, Polynomial]]) -> list[tuple[Equation, 
 
 
 def parts(zero: Polynomial, name: str) -> tuple[Polynomial, Polynomial]:
-    """Split an equation zero = 0 into `before` · name = `rest`; return both, with `before` mostly positive."""
+    """Split an equation zero = 0 into `before` · name = `rest`, with the sign that makes `before` mostly positive."""
     before, rest = zero.coefficient(name), zero.without((name,))
     return (before, rest.scaled(-1.0)) if sum(before.terms.values()) > 0.0 else (before.scaled(-1.0), rest)
 

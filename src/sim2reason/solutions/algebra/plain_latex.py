@@ -140,7 +140,7 @@ def _unfolded(whole: Factors) -> Factors:
 
 
 def _same(held: Sum) -> Expression:
-    """Return the sum unchanged."""
+    """Return the sum unchanged, as a default for `of_sum`."""
     return held
 
 

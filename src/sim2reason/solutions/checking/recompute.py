@@ -81,7 +81,7 @@ class Recomputed:
     values: Mapping[str, float] = field(default_factory=dict[str, float])
 
     def agrees(self, answer: float, within: float) -> bool:
-        """Return whether there are no faults and the answer agrees with another one `within` a relative deviation."""
+        """Return whether there are no faults and the answer agrees with another one `within` a relative tolerance."""
         return not self.faults and self.answer is not None and abs(self.answer - answer) <= within * abs(answer)
 
 

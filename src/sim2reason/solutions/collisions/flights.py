@@ -53,7 +53,7 @@ class FreeFlights(ABC):
 
     @cached_property
     def frames(self) -> tuple[Frames, Frames]:
-        """Return the initial geometry of the mechanism and of its twin."""
+        """Return the initial geometry of the mechanism and of its twin, which has other parameters."""
         return start(self.setting.lexicon.mechanism), start(self.setting.lexicon.twin)
 
     @cached_property

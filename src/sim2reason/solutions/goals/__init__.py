@@ -88,7 +88,7 @@ class Known(Protocol):
         ...
 
     def lone(self, kind: str, body: str) -> Polynomial | None:
-        """Return a vector along the only line on which a body moves; None if it has several."""
+        """Return a vector along a body's only line of motion; None if the body moves along several."""
         ...
 
     def rim(self, kind: str, body: str) -> Polynomial:

@@ -24,7 +24,7 @@ ROUNDING = 1e-12  # m: smaller coordinates of a body count as zero
 
 
 def _exact(mechanism: Mechanism) -> Mechanism:
-    """Return the mechanism with rounding errors in coordinates set to zero, so that twins have the same form."""
+    """Return the mechanism with rounding errors in coordinates set to zero, so that copies with other numbers match."""
 
     def rounded(vector: Vector) -> Vector:
         x, y, z = (0.0 if abs(part) < ROUNDING else part for part in vector)
@@ -103,7 +103,7 @@ class EquationsOfMotion:
     """The mass matrix, loads and constraints of a mechanism as polynomials in the text's symbols."""
 
     def __init__(self, lexicon: Lexicon, book: Book, phase: Phase, names: Names) -> None:
-        """Record the equations of the mechanism and of its twin; UnsolvedError if their forms differ."""
+        """Record the equations of the mechanism and of its twin with other numbers; UnsolvedError if their forms differ."""
         self._lexicon, self.book, self.names = lexicon, book, names
         self.mechanism = lexicon.mechanism
         self._here, one = assembled(lexicon.mechanism, phase)

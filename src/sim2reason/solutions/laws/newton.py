@@ -70,7 +70,7 @@ class Newton:
     # ---- numbers
 
     def _both(self, number: Callable[[Mechanism, Frames], float]) -> Both:
-        """Return a number of the mechanism and of its twin."""
+        """Return a number of the mechanism and of its twin, which is the same mechanism with other parameters."""
         (here, frames), (there, others) = self._sides
         return Both(float(number(here, frames)), float(number(there, others)))
 

@@ -55,7 +55,7 @@ def directions_of_friction(dynamics: Dynamics, rows: Sequence[Row]) -> list[str]
 
 
 def verify_sliding(dynamics: Dynamics) -> None:
-    """Write for each body that starts to slide why it does, and in this direction.
+    """Write for each body that starts to slide why it slides in the assumed direction.
 
     With unknown numbers it is written at the end; in symbolic problems the text states it.
     """
@@ -96,7 +96,7 @@ def _tell_not_held(dynamics: Dynamics, face: int, needed: Expression) -> None:
 
 
 def _tell_accelerated(dynamics: Dynamics, relative: Expression, faces: Sequence[int]) -> None:
-    """Write that bodies accelerate relative to the surface under them, against friction."""
+    """Write that bodies accelerate relative to the surface under them even against friction."""
     book, setting = dynamics.book, dynamics.setting
     if not {*relative.symbols()} <= book.values.keys() or book.value(relative) <= 0.0:
         return
