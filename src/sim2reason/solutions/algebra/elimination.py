@@ -167,7 +167,7 @@ class Elimination:
     def _weights(
         self, equations: Sequence[Equation], name: str, left: set[str], free: Sequence[str]
     ) -> list[tuple[Equation, Polynomial]]:
-        """Return all equations, weighted by their accelerations per unit of a free one; empty if forces do not cancel."""
+        """Return all equations, weighted by acceleration per unit of a free one; empty if forces do not cancel."""
         weighted = _whole([(e, weight) for e in equations if (weight := e.moves.coefficient(name))])
         zero = total(e.zero * weight for e, weight in weighted)
         return [] if zero.names() & (left - set(free)) else weighted

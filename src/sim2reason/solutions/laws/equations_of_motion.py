@@ -103,7 +103,7 @@ class EquationsOfMotion:
     """The mass matrix, loads and constraints of a mechanism as polynomials in the text's symbols."""
 
     def __init__(self, lexicon: Lexicon, book: Book, phase: Phase, names: Names) -> None:
-        """Record the equations of the mechanism and of its twin with other numbers; UnsolvedError if their forms differ."""
+        """Record the equations of the mechanism and of its twin; UnsolvedError if the two differ in form."""
         self._lexicon, self.book, self.names = lexicon, book, names
         self.mechanism = lexicon.mechanism
         self._here, one = assembled(lexicon.mechanism, phase)
