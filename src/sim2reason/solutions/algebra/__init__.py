@@ -1,1 +1,1 @@
-"""Formulas that know their values: how they are written, rewritten, and solved as equations."""
+"""Symbolic formulas: evaluation, LaTeX, simplification and the solution of equations."""

@@ -1,4 +1,4 @@
-"""What formulas become as one of their symbols grows without bound, or vanishes."""
+"""Limits of formulas as one symbol tends to infinity or to zero."""
 
 from collections.abc import Mapping
 from functools import reduce
@@ -15,17 +15,17 @@ from sim2reason.solutions.algebra.expressions import (
 )
 from sim2reason.solutions.algebra.functions import Absolute, Call, Power, Root
 
-NOTHING = 1e-9  # relative: a sum of leading terms that is less has cancelled
+NOTHING = 1e-9  # relative: a smaller sum of leading terms counts as zero
 
 
 class CancelledError(Exception):
-    """The leading terms of a sum cancel, so that more terms would be needed."""
+    """An error raised if the leading terms of a sum cancel, so that the limit needs terms of higher order."""
 
 
 def limit(held: Expression, name: str, at: Mapping[str, float], *, large: bool) -> Expression | None:
-    """Return the limit of a formula as a symbol becomes large or small; None if it is zero or infinite.
+    """Return the limit of a formula as a symbol tends to infinity (`large`) or zero; None if it is zero or infinite.
 
-    `at` are values of the other symbols, by which it is seen what cancels.
+    `at` has values of the other symbols, which show the terms that cancel.
 
     Raises:
         CancelledError: leading terms cancel.
@@ -36,7 +36,7 @@ def limit(held: Expression, name: str, at: Mapping[str, float], *, large: bool) 
 
 
 def _leading(held: Expression, name: str, at: Mapping[str, float], sense: float) -> tuple[Expression, float]:
-    """Return the factor before the leading power of a symbol, and that power."""
+    """Return the leading term of a formula in a symbol as its coefficient and exponent."""
     if name not in held.symbols():
         return held, 0.0
     match held:
@@ -67,6 +67,7 @@ def _leading(held: Expression, name: str, at: Mapping[str, float], sense: float)
 
 
 def _of_sum(held: Sum, name: str, at: Mapping[str, float], sense: float) -> tuple[Expression, float]:
+    """Return the leading term of a sum: its coefficient and exponent."""
     parts = [_leading(term, name, at, sense) for term in held.terms]
     most = max(sense * power for _, power in parts)
     kept = [part for part, power in parts if sense * power == most]

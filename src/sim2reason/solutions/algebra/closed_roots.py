@@ -1,4 +1,4 @@
-"""Roots in closed form: of equations that lead to a linear or quadratic one in a symbol, or in its sine or cosine."""
+"""Closed-form roots of equations that are linear or quadratic in a symbol, or in its sine or cosine."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -22,19 +22,19 @@ from sim2reason.solutions.algebra.fractions import over, quotient
 from sim2reason.solutions.algebra.functions import PI, Call, Function, Power, Root
 from sim2reason.solutions.algebra.polynomials import Monomial, Polynomial, common, divided
 
-MOST = 60  # terms of an equation that is solved in symbols
-QUADRATIC = 2  # the degree up to which equations are solved
-FEW = 12  # terms of an equation with several square roots
-SQUARED = 2  # different square roots that hold the symbol, at most
+MOST = 60  # terms of an equation that is solved in symbols, at most
+QUADRATIC = 2  # highest degree of an equation that is solved
+FEW = 12  # terms of an equation with several square roots, at most
+SQUARED = 2  # different square roots with the symbol in one equation, at most
 
 
 Written = Callable[[Polynomial], Expression]
 
 
 def roots(name: str, zero: Polynomial, written: Written = Polynomial.factored) -> Iterator[Expression]:
-    """Yield what a symbol may be where a polynomial of it, its functions and roots is zero.
+    """Yield closed-form candidates for a symbol at which a polynomial in it, its functions and roots vanishes.
 
-    Roots that squaring has brought in are among them. How a coefficient is `written`, whoever asks says.
+    Squaring may add extraneous roots. `written` converts coefficients to formulas.
     """
     try:
         rational = without_radicals(zero, name)
@@ -50,30 +50,30 @@ def roots(name: str, zero: Polynomial, written: Written = Polynomial.factored) -
 
 @dataclass(frozen=True)
 class Fraction:
-    """A polynomial of symbols, functions and roots over a product of others, kept apart so that they cancel."""
+    """A polynomial of symbols, functions and roots over a product of polynomials, unexpanded so that factors cancel."""
 
     above: Polynomial
     below: tuple[Polynomial, ...] = ()
 
     def __add__(self, other: "Fraction") -> "Fraction":
-        """Their sum, over what both denominators hold."""
+        """Return the sum over the least common denominator."""
         mine, others = _without(self.below, other.below), _without(other.below, self.below)
         return Fraction(_times(self.above, others) + _times(other.above, mine), (*self.below, *others))
 
     def __mul__(self, other: "Fraction") -> "Fraction":
-        """Their product."""
+        """Return the product; a numerator equal to a factor of the denominator cancels."""
         above, below = _short(self.above * other.above), (*self.below, *other.below)
         if above in below:
             return Fraction(Polynomial.of(1.0), _without(below, (above,)))
         return Fraction(above, below)
 
     def inverted(self) -> "Fraction":
-        """Return one over it."""
+        """Return the reciprocal."""
         return Fraction(_times(Polynomial.of(1.0), self.below), () if self.above.number == 1.0 else (self.above,))
 
 
 def fraction(held: Expression) -> Fraction:
-    """Return a formula as one fraction; OverflowError if it is long."""
+    """Convert a formula to a single fraction; OverflowError if it has too many terms."""
     match held:
         case Number():
             return Fraction(Polynomial.of(held.x))
@@ -93,7 +93,7 @@ def fraction(held: Expression) -> Fraction:
 
 
 def _without(held: tuple[Polynomial, ...], others: tuple[Polynomial, ...]) -> tuple[Polynomial, ...]:
-    """Return some polynomials less others, each as often as it is there."""
+    """Remove polynomials from a tuple of factors, each as often as it occurs in `others`."""
     left = list(held)
     for other in others:
         if other in left:
@@ -102,12 +102,14 @@ def _without(held: tuple[Polynomial, ...], others: tuple[Polynomial, ...]) -> tu
 
 
 def _times(held: Polynomial, factors: tuple[Polynomial, ...]) -> Polynomial:
+    """Multiply a polynomial by several factors; OverflowError if it gets too long."""
     for factor in factors:
         held = _short(held * factor)
     return held
 
 
 def _short(held: Polynomial) -> Polynomial:
+    """Return the polynomial; OverflowError if it has more terms than can be solved."""
     if len(held.terms) > MOST:
         raise OverflowError("an equation of too many terms")
     return held
@@ -117,10 +119,10 @@ def _short(held: Polynomial) -> Polynomial:
 
 
 def without_radicals(zero: Polynomial, name: str) -> Polynomial:
-    """Return an equation without square roots of the symbol: P + Q √(a/b) = 0 becomes P² b = Q² a.
+    """Remove square roots of a symbol from an equation: P + Q √(a/b) = 0 becomes P² b = Q² a.
 
     Raises:
-        OverflowError: there are more of them, or more terms, than could be solved for the symbol in the end.
+        OverflowError: the equation has too many roots or terms to be solved for the symbol.
     """
     radicals = {a for monomial in zero.terms for a, _ in monomial if isinstance(a, Root) and name in a.symbols()}
     if len(radicals) > SQUARED or (len(radicals) > 1 and len(zero.terms) > FEW):
@@ -149,7 +151,7 @@ def without_radicals(zero: Polynomial, name: str) -> Polynomial:
 
 
 def coefficient(held: Polynomial, atom: Expression, power: int) -> Polynomial:
-    """Return what stands before a power of an atom."""
+    """Return the coefficient of a power of an atom in a polynomial."""
     found = {
         tuple(pair for pair in monomial if pair[0] != atom): part
         for monomial, part in held.terms.items()
@@ -159,7 +161,7 @@ def coefficient(held: Polynomial, atom: Expression, power: int) -> Polynomial:
 
 
 def _powers(zero: Polynomial, atom: Expression, written: Written) -> Iterator[Expression]:
-    """Of an equation that is linear or quadratic in an atom or in its square, but for a power that all terms hold."""
+    """Yield the roots of an equation that is linear or quadratic in an atom or its square, up to a common power."""
     powers = sorted({dict(monomial).get(atom, 0) for monomial in zero.terms})
     least, steps = powers[0], [power - powers[0] for power in powers]
     step = 2 if all(power % 2 == 0 for power in steps) and max(steps) > QUADRATIC else 1
@@ -171,6 +173,7 @@ def _powers(zero: Polynomial, atom: Expression, written: Written) -> Iterator[Ex
 
 
 def _quadratic(rest: Polynomial, linear: Polynomial, square: Polynomial, written: Written) -> Iterator[Expression]:
+    """Yield the roots x of rest + linear · x + square · x² = 0."""
     if not square:
         if linear:
             yield _over(rest.scaled(-1.0), linear, written)
@@ -196,7 +199,7 @@ def _quadratic(rest: Polynomial, linear: Polynomial, square: Polynomial, written
 
 
 def _over(above: Polynomial, below: Polynomial, written: Written) -> Expression:
-    """Return a fraction without what both of its sides share."""
+    """Return the quotient of two polynomials with common factors cancelled."""
     return over(above, below) if written is Polynomial.factored else ratio(written(above), written(below))
 
 
@@ -204,7 +207,7 @@ def _over(above: Polynomial, below: Polynomial, written: Written) -> Expression:
 
 
 def _angles(zero: Polynomial, sine: Call, cosine: Call, written: Written) -> Iterator[Expression]:
-    """Of an equation in one of sine and cosine alone, linear in both, or of second degree in both."""
+    """Yield the roots of an equation in sin x or cos x alone, linear in both, or of second degree in both."""
     pairs = {_degrees(monomial, sine, cosine) for monomial in zero.terms}
     alone: tuple[tuple[Call, Function, int], ...] = ((sine, "arcsin", 1), (cosine, "arccos", 0))
     for atom, inverse, other in alone:
@@ -223,16 +226,18 @@ def _angles(zero: Polynomial, sine: Call, cosine: Call, written: Written) -> Ite
 
 
 def _degrees(monomial: Monomial, sine: Call, cosine: Call) -> tuple[int, int]:
+    """Return the exponents of the sine and the cosine in a monomial."""
     powers = dict(monomial)
     return powers.get(sine, 0), powers.get(cosine, 0)
 
 
 def _constant(zero: Polynomial, sine: Call, cosine: Call) -> Polynomial:
+    """Return the terms without the sine and the cosine."""
     return coefficient(coefficient(zero, sine, 0), cosine, 0)
 
 
 def _linear(a: Polynomial, b: Polynomial, rest: Polynomial, written: Written) -> Iterator[Expression]:
-    """Of a sin x + b cos x + c = 0: x = arcsin(−c/√(a² + b²)) − arctan(b/a), or with π less the arcsine."""
+    """Yield the roots of a sin x + b cos x + c = 0: x = arcsin(−c/√(a² + b²)) − arctan(b/a), or with π − arcsin."""
     if not a:
         if b:
             yield Call("arccos", _over(rest.scaled(-1.0), b, written))
@@ -249,7 +254,7 @@ def _linear(a: Polynomial, b: Polynomial, rest: Polynomial, written: Written) ->
 
 
 def _sizes(a: Polynomial, b: Polynomial, written: Written) -> Iterator[Expression]:
-    """Yield √(a² + b²), first with common factors before the root, which holds where those are positive."""
+    """Yield forms of √(a² + b²): first those with positive common factors taken out of the root."""
     shares = quotient(b, a) if b and written is Polynomial.factored else None
     if shares is not None:  # b/a is a single term, or one over it
         above, below = shares
@@ -266,12 +271,12 @@ def _sizes(a: Polynomial, b: Polynomial, written: Written) -> Iterator[Expressio
 
 
 def raised(atom: Expression, power: int) -> Expression:
-    """Return a power of an expression; the expression itself where the exponent is one."""
+    """Return an integer power of an expression; the expression itself if the exponent is one."""
     return atom if power == 1 else Power(atom, power)
 
 
 def atoms_worked(held: Expression, name: str) -> Expression:
-    """Return a formula in which numbers that hold the symbol are written as the formulas that they are."""
+    """Replace rounded numbers whose formulas contain a symbol by those formulas."""
     if isinstance(held, Worked):
         return atoms_worked(held.inner, name) if name in held.symbols() else held
     if name not in held.symbols() or not held.parts:

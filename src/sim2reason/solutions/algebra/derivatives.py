@@ -1,4 +1,4 @@
-"""Derivatives of formulas, as formulas."""
+"""Symbolic derivatives of formulas."""
 
 from functools import reduce
 
@@ -18,7 +18,7 @@ from sim2reason.solutions.algebra.functions import Call, Function, Power, Root
 
 
 def derivative(held: Expression, name: str) -> Expression:
-    """Return the derivative of a formula by a symbol; TypeError where it has a part that no rule is known for."""
+    """Return the derivative of a formula with respect to a symbol; TypeError for a part without a known rule."""
     if name not in held.symbols():
         return ZERO
     match held:
@@ -45,13 +45,13 @@ def derivative(held: Expression, name: str) -> Expression:
 
 
 def _by_one(held: Product, number: int, name: str) -> Expression:
-    """Return the product with one factor replaced by its derivative."""
+    """Return a product with one factor replaced by its derivative."""
     factors = (derivative(f, name) if n == number else f for n, f in enumerate(held.factors))
     return reduce(multiplied, factors)
 
 
 def _outer(held: Call) -> Expression:
-    """Return the derivative of a function by its argument."""
+    """Return the derivative of a function with respect to its argument."""
     x = held.argument
     arc = Root(ONE - Power(x, 2))
     rules: dict[Function, Expression] = {

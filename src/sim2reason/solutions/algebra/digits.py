@@ -1,23 +1,23 @@
-"""How numbers are rounded, and written in LaTeX."""
+"""Rounding of numbers and their LaTeX."""
 
 import re
 from fractions import Fraction
 from functools import lru_cache
 
-GUARDED = 7  # the same where differences of numbers are formed
-DIGITS = 5  # significant ones that a worked solution carries
-SIMPLE = 60  # the largest denominator of a number that is no accident
-LARGEST = 1e9  # a larger number is written with a power of ten
-EXACT = 1e-12  # relative, of a number not near zero: what rounding may have left of a simple fraction
+GUARDED = 7  # significant digits of numbers whose differences are formed
+DIGITS = 5  # significant digits of numbers in a worked solution
+SIMPLE = 60  # largest denominator of a number that is written as a fraction
+LARGEST = 1e9  # larger numbers are written with a power of ten
+EXACT = 1e-12  # relative: rounding error allowed in the comparison of a number with a simple fraction
 
 
 def shortened(value: float, digits: int = DIGITS) -> float:
-    """Return a number rounded to so many significant digits."""
+    """Round a number to a number of significant digits."""
     return float(f"{value:.{digits - 1}e}")
 
 
 def rounded(value: float, digits: int = DIGITS) -> str:
-    """Return a number with so many significant digits, in LaTeX; with a power of ten rather than further zeros."""
+    """Return the LaTeX of a number rounded to significant digits, with a power of ten in place of padding zeros."""
     if value == 0.0:
         return "0"
     mantissa, _, power = f"{value:.{digits - 1}e}".partition("e")
@@ -40,7 +40,7 @@ def with_guard_digits(value: float) -> str:
 
 
 def simple_fraction(x: float) -> Fraction | None:
-    """Return the fraction that a number is; None if it is no simple one."""
+    """Return the fraction equal to a number; None if its denominator is not small."""
     fraction = Fraction(x).limit_denominator(SIMPLE)
     if (x and not fraction) or abs(fraction) > LARGEST:
         return None
@@ -49,7 +49,7 @@ def simple_fraction(x: float) -> Fraction | None:
 
 @lru_cache(maxsize=4096)
 def pure_number(x: float) -> str:
-    """Return a pure number as formulas have it: a fraction where it is a simple one."""
+    """Return the LaTeX of a dimensionless number: a simple fraction where possible, else decimals."""
     fraction = simple_fraction(x)
     if fraction is None:
         return rounded(x)

@@ -1,4 +1,4 @@
-"""Equations solved as a teacher would: tensions cancel in weighted sums, numbers come as late as they can."""
+"""Elimination in systems of linear equations: weighted sums in which tensions cancel, then numbers for the rest."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -13,15 +13,15 @@ from sim2reason.solutions.algebra.polynomials import NIL, Polynomial, total
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 
-TINY = 1e-7  # relative: a weight that rounding has left
-LONG = 130  # characters of a formula that is better written in numbers
+TINY = 1e-7  # relative: smaller weights count as zero
+LONG = 130  # characters of a formula; longer ones are written with numbers
 
 
 @dataclass(frozen=True)
 class Equation:
-    """`forces` = `inertia`, by what it is called in the text; `moves` is its own acceleration, its weight in sums.
+    """An equation of motion, `forces` = `inertia`, with its label and its acceleration `moves`, its weight in sums.
 
-    `told` are its forces as they are told, `links` the labels of equations that replaced names in them, by name.
+    `told` has the forces as written; `links` has, by name, the labels of the equations that eliminated names from them.
     """
 
     label: str
@@ -37,7 +37,7 @@ class Equation:
         return self.forces - self.inertia
 
     def put(self, values: Mapping[str, Polynomial]) -> "Equation":
-        """With polynomials in place of unknowns."""
+        """Substitute polynomials for unknowns."""
         forces, inertia, moves = (part.put(values) for part in (self.forces, self.inertia, self.moves))
         return Equation(self.label, forces, inertia, moves, self.told or self.forces, self.links)
 
@@ -53,20 +53,21 @@ class Equation:
 
 
 class Elimination:
-    """Solves equations for unknowns, and writes down how; what is known is in the book."""
+    """A solver of linear equations for unknowns that writes each step into a solution."""
 
     def __init__(self, book: Book, units: Mapping[str, str], rests: Sequence[str] = ()) -> None:
-        """`units`, in LaTeX, of every unknown; `rests` label the steps in which the equations are told."""
+        """Take the LaTeX `units` of the unknowns, and as `rests` the labels of the steps that state the equations."""
         self.book, self.units, self._rests = book, units, rests
 
     def _open(self, kind: str) -> Writing:
+        """Begin a step that depends on the steps in which the equations are stated."""
         step = self.book.open(kind)
         for label in self._rests:
             step.rest_on(label)
         return step
 
     def solve(self, equations: Sequence[Equation], unknowns: Sequence[str], goals: Sequence[str]) -> None:
-        """Write the way to all goals; UnsolvedError where it finds none."""
+        """Write the steps that lead to all goals; raise UnsolvedError if there are none."""
         left = set(unknowns)
         for _ in range(len(unknowns) + 1):
             left = {name for name in left if name not in self.book.values}
@@ -85,11 +86,12 @@ class Elimination:
     def _single(
         self, equations: Sequence[Equation], left: set[str], wanted: Sequence[str]
     ) -> tuple[Equation, str] | None:
-        """Return an equation with one unknown, a goal if there is one; the shortest of these."""
+        """Return the shortest equation with one unknown, and that unknown; goals come first."""
         found = [(e, names[0]) for e in equations if len(names := sorted(e.zero.names() & left)) == 1]
         return min(found, key=lambda pair: (pair[1] not in wanted, len(pair[0].zero.terms)), default=None)
 
     def _one(self, equation: Equation, name: str) -> None:
+        """Write the step that solves an equation for its only unknown."""
         step = self._open("solve")
         step.rest_on(_key(equation) if not equation.label else "")
         formula = solved(equation.zero, name, grouped=True)
@@ -106,7 +108,7 @@ class Elimination:
     # ---- several unknowns
 
     def _several(self, equations: Sequence[Equation], left: set[str], wanted: Sequence[str]) -> None:
-        """Sums in which forces cancel, one for each independent acceleration."""
+        """Write sums of equations in which forces cancel, one for each independent acceleration, and solve them."""
         free = sorted({name for e in equations for name in e.moves.names() if name in left})
         weights = [self._weights(equations, name, left, free) for name in free]
         if not weights or not all(weights):
@@ -124,7 +126,7 @@ class Elimination:
         (self._in_symbols if hidden else self._in_numbers)(combined, ordered)
 
     def _alone(self, equations: Sequence[Equation], left: set[str], goal: str) -> Equation:
-        """Return the plain sum of equations in which one unknown alone is left; UnsolvedError if there is none."""
+        """Return the weighted sum of equations in which only one unknown remains; UnsolvedError if there is none."""
         names = sorted(left)
         known = self.book.values | self.book.observed
         rows = [[e.zero.coefficient(name).value(known) for name in names] for e in equations]
@@ -143,7 +145,7 @@ class Elimination:
     def _combined(
         self, weighted: Sequence[tuple[Equation, Polynomial]], names: Sequence[str], *, labelled: bool = False
     ) -> Equation:
-        """Equations added up with weights, and told."""
+        """Write a weighted sum of equations as a step and return it."""
         forces = total(e.forces * weight for e, weight in weighted)
         inertia = total(e.inertia * weight for e, weight in weighted)
         step = self._open("combine")
@@ -151,7 +153,7 @@ class Elimination:
         if told[0].startswith("-"):
             told.sort(key=lambda part: part.startswith("-"))  # no sum begins with a sign
         how = " + ".join(told).replace("+ -", "− ")
-        left = total(e.told * weight for e, weight in weighted).names()  # what cancels needs no other equation
+        left = total(e.told * weight for e, weight in weighted).names()  # names that cancel need no other equation
         links = (labels for e, _ in weighted for name, labels in e.links.items() if name in left)
         among = sorted(frozenset[str]().union(*links))
         how += f", with {joined(among)}" if among else ""
@@ -165,19 +167,19 @@ class Elimination:
     def _weights(
         self, equations: Sequence[Equation], name: str, left: set[str], free: Sequence[str]
     ) -> list[tuple[Equation, Polynomial]]:
-        """Return all equations, each with how fast it moves as one acceleration changes; none if forces are left."""
+        """Return all equations, weighted by acceleration per unit of a free one; empty if forces do not cancel."""
         weighted = _whole([(e, weight) for e in equations if (weight := e.moves.coefficient(name))])
         zero = total(e.zero * weight for e, weight in weighted)
         return [] if zero.names() & (left - set(free)) else weighted
 
     def _sum(self, weighted: Sequence[tuple[Equation, Polynomial]], free: Sequence[str], *, labelled: bool) -> Equation:
-        """Return the sum of equations with weights."""
+        """Return the weighted sum of equations; a single equation is returned unchanged."""
         return weighted[0][0] if len(weighted) == 1 else self._combined(weighted, free, labelled=labelled)
 
     # ---- in numbers
 
     def _in_numbers(self, equations: Sequence[Equation], names: Sequence[str]) -> None:
-        """Numbers put in, then one unknown after the other eliminated, the first last."""
+        """Write the equations with numerical coefficients, then eliminate the unknowns, the first one last."""
         numeric: list[NumericEquation] = []
         hidden = any(self.book.is_hidden(equation.zero.without(names).expression()) for equation in equations)
         how = "With numbers for the coefficients: " if hidden else "In numbers: "
@@ -195,7 +197,7 @@ class Elimination:
         self._reduce(numeric, list(names))
 
     def _in_symbols(self, equations: Sequence[Equation], names: Sequence[str]) -> None:
-        """The same where what stands before the unknowns may not be written as numbers."""
+        """Eliminate the unknowns where the coefficients may not be written as numbers."""
         ordered: list[SymbolicEquation] = []
         for equation in equations:
             before = {n: equation.zero.coefficient(n).scaled(-1.0) for n in names}
@@ -204,11 +206,12 @@ class Elimination:
         CrossElimination(self.book, self.units, self._open).reduce(ordered, names)
 
     def _number(self, formula: Expression) -> Expression:
-        """Return a formula as the number that it comes to, with guard digits, unless that hangs on what is unknown."""
+        """Return the numerical value of a formula with guard digits; the formula itself if it has unknowns."""
         found = self.book.worked(formula)
         return replace(found, guarded=True) if isinstance(found, Worked) else found
 
     def _reduce(self, equations: list[NumericEquation], names: list[str]) -> None:
+        """Write the steps of Gaussian elimination of numerical equations."""
         first = names[0]
         if len(names) == 1:
             equation = equations[0]
@@ -233,7 +236,7 @@ class Elimination:
         step.close()
 
     def _without(self, equation: NumericEquation, pivot: NumericEquation, last: str) -> NumericEquation:
-        """Return an equation less so much of another that an unknown is gone."""
+        """Return an equation minus the multiple of a pivot equation that eliminates an unknown."""
         ratio = self._number(equation.left[last] / pivot.left[last])
         names = dict.fromkeys((*equation.left, *pivot.left))
         left = {
@@ -257,11 +260,12 @@ class Elimination:
 
 
 def _key(equation: Equation) -> str:
-    """Return the label of an equation, or a name for one that has none as it was added up."""
+    """Return the label of an equation, or an internal key for an unlabelled sum."""
     return f"sum {id(equation)}" if not equation.label else equation.label
 
 
 def _times(weight: Polynomial, label: str) -> str:
+    """Return the text of a weight times the label of an equation."""
     number = weight.number
     if number is None:
         return f"${weight.factored().latex()}$·{label}"
@@ -269,7 +273,7 @@ def _times(weight: Polynomial, label: str) -> str:
 
 
 def _whole(weighted: list[tuple[Equation, Polynomial]]) -> list[tuple[Equation, Polynomial]]:
-    """Return the same weights, multiplied so that the smallest is 1, where all are numbers."""
+    """Scale numerical weights so that the smallest is 1; other weights are returned unchanged."""
     numbers = [weight.number for _, weight in weighted]
     if not numbers or any(number is None for number in numbers):
         return weighted
@@ -278,12 +282,12 @@ def _whole(weighted: list[tuple[Equation, Polynomial]]) -> list[tuple[Equation, 
 
 
 def parts(zero: Polynomial, name: str) -> tuple[Polynomial, Polynomial]:
-    """Return `before` and `rest` of the equation `before` · name = `rest`, with the signs that suit a text."""
+    """Split an equation zero = 0 into `before` · name = `rest`, with the sign that makes `before` mostly positive."""
     before, rest = zero.coefficient(name), zero.without((name,))
     return (before, rest.scaled(-1.0)) if sum(before.terms.values()) > 0.0 else (before.scaled(-1.0), rest)
 
 
 def solved(zero: Polynomial, name: str, *, grouped: bool = False) -> Expression:
-    """Return the unknown, from an equation in which it is the only one."""
+    """Solve a linear equation for its only unknown."""
     before, rest = parts(zero, name)
     return over(rest, before, grouped=grouped)

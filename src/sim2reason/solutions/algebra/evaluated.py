@@ -1,4 +1,4 @@
-"""Numbers that stand for formulas, exact derivatives, and elliptic integrals."""
+"""Formulas written as numbers, numerical roots, exact derivatives and elliptic integrals."""
 
 import cmath
 from collections.abc import Iterator, Mapping, Sequence
@@ -10,12 +10,12 @@ from sim2reason.base.record import record
 from sim2reason.solutions.algebra.digits import rounded, shortened, with_guard_digits
 from sim2reason.solutions.algebra.expressions import Expression, Number, Scalar, Values
 
-MEANS = 40  # steps of the arithmetic-geometric mean, at most; six suffice for nearly all moduli
-CLOSE = 1e-17  # relative: how far the two means are apart at last
+MEANS = 40  # most steps of the arithmetic-geometric mean; six suffice for nearly all moduli
+CLOSE = 1e-17  # difference of the two means at which the iteration ends
 
 
 class SpecialFunction(Expression):
-    """A function that is not elementary; its value is found numerically or in tables."""
+    """A non-elementary function, whose values are computed numerically or taken from tables."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,37 +26,37 @@ class CompleteElliptic(SpecialFunction):
 
     @property
     def parts(self) -> tuple[Expression, ...]:
-        """The modulus."""
+        """Return the modulus."""
         return (self.modulus,)
 
     def built_of(self, parts: Sequence[Expression]) -> Expression:
-        """Return the integral of another modulus."""
+        """Return the integral with another modulus."""
         (modulus,) = parts
         return CompleteElliptic(modulus)
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """π/(2 a), a being the mean of 1 and √(1 − k²)."""
+        """Return π/(2 a), where a is the arithmetic-geometric mean of 1 and √(1 − k²)."""
         return _real_if(0.5 * pi / _means(self.modulus.value(at, digits))[-1][0])
 
     def latex(self) -> str:
-        """As tables have it."""
+        """Return K(k) in LaTeX."""
         return rf"\operatorname{{K}}\left({self.modulus.latex()}\right)"
 
 
 @dataclass(frozen=True, slots=True)
 class _OfTwo(SpecialFunction):
-    """A function of an argument and of a modulus k between 0 and 1."""
+    """A function of an argument and a modulus k between 0 and 1."""
 
     argument: Expression
     modulus: Expression
 
     @property
     def parts(self) -> tuple[Expression, ...]:
-        """The argument and the modulus."""
+        """Return the argument and the modulus."""
         return self.argument, self.modulus
 
     def built_of(self, parts: Sequence[Expression]) -> Expression:
-        """Return the function of others."""
+        """Return the same function of another argument and modulus."""
         argument, modulus = parts
         return type(self)(argument, modulus)
 
@@ -66,7 +66,7 @@ class IncompleteElliptic(_OfTwo):
     """The incomplete elliptic integral of the first kind, F(θ, k), of an angle θ in radians."""
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """θ′/(2ⁿ a) by Landen's transformation, tan(θ′ − θ) = (b/a) tan θ."""
+        """Return θ′/(2ⁿ a) by Landen's transformation, tan(θ′ − θ) = (b/a) tan θ."""
         angle = complex(self.argument.value(at, digits))
         means = _means(self.modulus.value(at, digits))
         for a, b in means[:-1]:
@@ -74,7 +74,7 @@ class IncompleteElliptic(_OfTwo):
         return _real_if(angle / (2.0 ** (len(means) - 1) * means[-1][0]))
 
     def latex(self) -> str:
-        """As tables have it."""
+        """Return F(θ, k) in LaTeX."""
         return rf"\operatorname{{F}}\left({self.argument.latex()}, {self.modulus.latex()}\right)"
 
 
@@ -83,7 +83,7 @@ class Amplitude(_OfTwo):
     """Jacobi's amplitude am(u, k), in radians: the angle whose incomplete elliptic integral of the first kind is u."""
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """Sin(2θ − θ′) = (c′/a′) sin θ′, from 2ⁿ a u back."""
+        """Return the amplitude in radians by sin(2θ − θ′) = (c′/a′) sin θ′, backwards from 2ⁿ a u."""
         means = _means(self.modulus.value(at, digits))
         angle = 2.0 ** (len(means) - 1) * means[-1][0] * complex(self.argument.value(at, digits))
         for (a, b), (mean, _) in reversed(list(pairwise(means))):
@@ -91,74 +91,74 @@ class Amplitude(_OfTwo):
         return _real_if(angle)
 
     def latex(self) -> str:
-        """As tables have it."""
+        """Return am(u, k) in LaTeX."""
         return rf"\operatorname{{am}}\left({self.argument.latex()}, {self.modulus.latex()}\right)"
 
 
 def _means(modulus: Scalar) -> list[tuple[complex, complex]]:
-    """Return the arithmetic and geometric means from 1 and √(1 − k²) on; ValueError unless 0 ≤ k < 1."""
+    """Return the successive arithmetic and geometric means, from 1 and √(1 − k²); ValueError unless 0 ≤ k < 1."""
     if not 0.0 <= modulus.real < 1.0:
         raise ValueError(f"an elliptic integral of the modulus {modulus.real:g}")
     found = [(complex(1.0), cmath.sqrt(1.0 - complex(modulus) ** 2))]
     while len(found) < MEANS and abs(found[-1][0] - found[-1][1]) > CLOSE:
         a, b = found[-1]
         found.append((0.5 * (a + b), cmath.sqrt(a * b)))
-        if found[-1][0] == a:  # as close as numbers come
+        if found[-1][0] == a:  # the limit of floating-point precision
             break
     return found
 
 
 def _real_if(value: complex) -> Scalar:
-    """Return a float unless there is an imaginary part, by which derivatives are taken."""
+    """Return the real part of a value unless it has an imaginary part, which carries a derivative."""
     return value if value.imag else value.real
 
 
-NEWTON = 6  # steps from a root that is known nearly
-WRITTEN = 5e-5  # relative: how well a result of five digits follows from the numbers beside it
-STEP = 1e-30  # imaginary: a derivative by it is exact
+NEWTON = 6  # Newton steps from an approximate root
+WRITTEN = 5e-5  # relative: largest error of a result computed from rounded numbers
+STEP = 1e-30  # imaginary step of the complex-step derivative
 
 
 @record(slots=True)
 class Worked(Expression):
-    """A formula that is written as the number that it comes to, as in *34.800 a*; with guard digits none end in 0."""
+    """A formula that is written as its numerical value, as in *34.800 a*; with guard digits no value ends in 0."""
 
     inner: Expression
     comes_to: float
     guarded: bool = False
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """Return the formula's, rounded if that is asked for."""
+        """Return the value of the formula, rounded if `digits` are given."""
         found = self.inner.value(at, digits)
         return found if digits is None or isinstance(found, complex) else shortened(found, digits)
 
     def latex(self) -> str:
-        """Return the number."""
+        """Return the number in LaTeX."""
         return with_guard_digits(self.comes_to) if self.guarded else rounded(self.comes_to)
 
     def symbols(self) -> Iterator[str]:
-        """Return those of the formula."""
+        """Yield the symbols of the formula."""
         return self.inner.symbols()
 
     def __neg__(self) -> Expression:
-        """Return the negative, again as one number."""
+        """Return the negative as a single number."""
         return Worked(-self.inner, -self.comes_to, self.guarded)
 
     @property
     def rank(self) -> int:
-        """Return 0 for a negative number, 1 for one with a power of ten, which is a product, and 2 for others."""
+        """Return the binding strength: 0 for negative numbers, 1 for those with a power of ten, 2 for all others."""
         return 0 if self.comes_to < 0.0 else 1 if "times" in self.latex() else 2
 
 
 @record(slots=True)
 class NumericRoot(Expression):
-    """Where a formula of one further symbol vanishes, found by Newton's method from near by; written as its value."""
+    """The zero of a formula in one further symbol, by Newton's method from a near value; written as its value."""
 
     residual: Expression
     name: str
     near: float
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """Return the root, refined; with complex values its derivative is exact."""
+        """Return the root after Newton's method; complex values of symbols give exact derivatives."""
         plain = {name: value.real for name, value in at.items()}
         root = self.near
         for _ in range(NEWTON):
@@ -169,24 +169,24 @@ class NumericRoot(Expression):
         return root - self.residual.value({**at, self.name: complex(root)}) / self.slope(plain, root)
 
     def slope(self, at: Mapping[str, float], root: float) -> float:
-        """Return the derivative of the formula with respect to the symbol."""
+        """Return the derivative of the formula with respect to the unknown."""
         return complex(self.residual.value({**at, self.name: root + STEP * 1j})).imag / STEP
 
     def latex(self) -> str:
-        """Return the number."""
+        """Return the number in LaTeX."""
         return rounded(self.near)
 
     def symbols(self) -> Iterator[str]:
-        """Return those of the formula, without the unknown."""
+        """Yield the symbols of the formula without the unknown."""
         return (name for name in self.residual.symbols() if name != self.name)
 
 
 @record(slots=True)
 class ClosedRoot(NumericRoot):
-    """The root of an equation that has a closed form once all but the unknown is in numbers.
+    """The root of an equation that has a closed form once all other symbols have numerical values.
 
-    The `equation`, a formula that vanishes, and what it gives, `closed`, hold for these numbers. The value is worked
-    out from the residual, so that it holds for others, too.
+    The vanishing formula `equation` and its root `closed` hold for these values only. The value of the root is computed
+    from the residual, so that it also holds for other values.
     """
 
     equation: Expression
@@ -195,44 +195,44 @@ class ClosedRoot(NumericRoot):
 
 @record(slots=True)
 class ImplicitRoot(NumericRoot):
-    """A root that hangs on what is unknown, so that no number is written: its equation alone is told."""
+    """A root that depends on unknowns: its equation is stated, but no number."""
 
     def latex(self) -> str:
-        """Return its name."""
+        """Return the name of the unknown."""
         return self.name
 
 
 class QuadraticRoot(ImplicitRoot):
-    """Such a root of a quadratic equation, which has a closed form."""
+    """An implicit root of a quadratic equation, which has a closed form."""
 
     __slots__ = ()
 
 
 @record(slots=True)
 class Chain(Expression):
-    """A chain of named formulas, each of names before it, with the value of the last one; it is never written."""
+    """A sequence of named formulas, each of earlier names; its value is that of the last. It has no LaTeX itself."""
 
     formulas: tuple[tuple[str, Expression], ...]
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """Worked out from the first to the last."""
+        """Evaluate the formulas in order and return the last value."""
         known = dict(at)
         for name, formula in self.formulas:
             known[name] = formula.value(known, digits)
         return known[self.formulas[-1][0]]
 
     def latex(self) -> str:
-        """Return its name."""
+        """Return the name of the last formula."""
         return self.formulas[-1][0]
 
     def symbols(self) -> Iterator[str]:
-        """Return all that it rests on."""
+        """Yield the symbols that the chain does not define."""
         own = {name for name, _ in self.formulas}
         return (name for _, formula in self.formulas for name in formula.symbols() if name not in own)
 
 
 def numbers(held: Expression) -> Iterator[Expression]:
-    """Yield all parts of a formula that are written as the numbers that they come to."""
+    """Yield the parts of a formula that are written as numbers."""
     if isinstance(held, Worked | NumericRoot):
         if not isinstance(held, ImplicitRoot):
             yield held
@@ -242,24 +242,25 @@ def numbers(held: Expression) -> Iterator[Expression]:
 
 
 def loses_digits(held: Expression, at: Values) -> bool:
-    """Return whether rounded numbers, as they are written in a formula, give another result to five digits."""
+    """Return whether the rounded numbers in a formula change its result within five significant digits."""
     exact = held.value(at).real
     return abs(_as_written(held).value(at).real - exact) > WRITTEN * abs(exact)
 
 
 def _as_written(held: Expression) -> Expression:
+    """Return a formula with its numbers rounded as in the text."""
     if isinstance(held, Worked):
         return Number(shortened(held.comes_to))
     return held.built_of([_as_written(part) for part in held.parts]) if held.parts else held
 
 
 def is_special(held: Expression) -> bool:
-    """Return whether a formula contains a special function, of which problems in symbols have none."""
+    """Return whether a formula contains a special function; symbolic problems allow none."""
     return isinstance(held, SpecialFunction) or any(map(is_special, held.parts))
 
 
 def gradient(held: Expression, at: Mapping[str, float], names: Mapping[str, int]) -> list[float]:
-    """Return the derivatives by some symbols, each at its place; of analytic formulas exact."""
+    """Return the partial derivatives of a formula, (len(names),), at the index of each name; exact if analytic."""
     found = [0.0] * len(names)
     for name in dict.fromkeys(held.symbols()):
         if name in names:

@@ -1,4 +1,4 @@
-"""Formulas that know their value and how they are written: what the relations of a worked solution are made of."""
+"""Symbolic expressions with values and LaTeX: numbers, symbols, sums, products and quotients."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from math import prod
@@ -13,23 +13,23 @@ Values = Mapping[str, Scalar]
 
 
 class Expression:
-    """A formula. Symbols are named by their LaTeX.
+    """A symbolic formula. Symbols are named by their LaTeX.
 
-    It is no ABC, since `isinstance` takes several times as long with one, and formulas are matched by class all along.
+    It is no ABC, since `isinstance` is several times slower for an ABC, and formulas are often matched by class.
     """
 
     __slots__ = ()
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """Its value where symbols have theirs; with `digits`, what was worked out on the way is rounded to as many."""
+        """Evaluate the formula for given values of its symbols; with `digits`, intermediate results are rounded."""
         raise NotImplementedError
 
     def latex(self) -> str:
-        """Return how it is written, without dollars."""
+        """Return the LaTeX without dollar signs."""
         raise NotImplementedError
 
     def symbols(self) -> Iterator[str]:
-        """Yield the names in it, from left to right, some more than once; by default those of its parts."""
+        """Yield the names of the symbols from left to right, with repetitions."""
         waiting = [*self.parts[::-1]]
         while waiting:  # a generator for each part would take twice as long
             part = waiting.pop()
@@ -42,24 +42,24 @@ class Expression:
 
     @property
     def parts(self) -> "tuple[Expression, ...]":
-        """The formulas that it is built of; none by default."""
+        """Return the subexpressions; none by default."""
         return ()
 
     def built_of(self, parts: "Sequence[Expression]") -> "Expression":
-        """Return the same of other parts, in their order; by default itself."""
+        """Return the same kind of expression with other subexpressions; by default the expression itself."""
         del parts
         return self
 
     @property
     def rank(self) -> int:
-        """Return how tightly it holds together when written: 0 a sum, 1 a product, 2 what needs no parentheses."""
+        """Return the binding strength in LaTeX: 0 for sums, 1 for products, 2 if it never needs parentheses."""
         return 2
 
     @property
     def negative(self) -> bool:
-        """Return whether it is written with a minus sign in front."""
+        """Return whether the LaTeX begins with a minus sign."""
         match self:
-            case Sum(terms):  # a positive one would stand first
+            case Sum(terms):  # a positive term would stand first
                 return all(term.negative for term in terms)
             case Product((Number(x), *_)) | Quotient(Product((Number(x), *_)), _):
                 return x < 0.0
@@ -67,23 +67,23 @@ class Expression:
                 return not isinstance(self, Product | Quotient) and self.latex().startswith("-")
 
     def __add__(self, other: "Expression | float") -> "Expression":
-        """Their sum."""
+        """Return the sum."""
         return added(self, lifted(other))
 
     def __sub__(self, other: "Expression | float") -> "Expression":
-        """Their difference."""
+        """Return the difference."""
         return added(self, -lifted(other))
 
     def __mul__(self, other: "Expression | float") -> "Expression":
-        """Their product."""
+        """Return the product."""
         return multiplied(self, lifted(other))
 
     def __rmul__(self, other: "Expression | float") -> "Expression":
-        """Their product."""
+        """Return the product."""
         return multiplied(lifted(other), self)
 
     def __truediv__(self, other: "Expression | float") -> "Expression":
-        """Their quotient, as a fraction of one storey, without fractions of numbers in its denominator."""
+        """Return the quotient as a fraction that contains no fraction above or below."""
         match self, lifted(other):
             case _, divisor if divisor == ONE or self == ZERO:
                 return self
@@ -97,7 +97,7 @@ class Expression:
                 return Quotient(-self, -divisor) if divisor.negative else Quotient(self, divisor)
 
     def __neg__(self) -> "Expression":
-        """Return its negative, term by term."""
+        """Return the negative; a sum is negated term by term."""
         if isinstance(self, Sum):
             return Sum(tuple(-term for term in self.terms))
         if isinstance(self, Quotient) and self.negative:
@@ -107,12 +107,12 @@ class Expression:
 
 @record(slots=True)
 class Number(Expression):
-    """A pure number, written as a fraction where it is a simple one."""
+    """A pure number, written as a fraction where that is simple."""
 
     x: float
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """It itself."""
+        """Return the number."""
         del at, digits
         return self.x
 
@@ -122,85 +122,85 @@ class Number(Expression):
 
     @property
     def rank(self) -> int:
-        """A negative one needs parentheses."""
+        """Return 0 for negative numbers, which need parentheses, else 2."""
         return 2 if self.x >= 0.0 else 0
 
 
 @record(slots=True)
 class Symbol(Expression):
-    """A named value."""
+    """A variable or constant with a name."""
 
     name: str
 
     def __hash__(self) -> int:
-        """Return that of its name, which the string keeps: polynomials look symbols up all along."""
+        """Return the hash of the name, which Python caches, since polynomials look up symbols often."""
         return hash(self.name)
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """Return what stands under its name."""
+        """Return the value of the name."""
         del digits
         return at[self.name]
 
     def latex(self) -> str:
-        """Return its name."""
+        """Return the name."""
         return self.name
 
     def symbols(self) -> Iterator[str]:
-        """Yield its own name."""
+        """Yield the name."""
         yield self.name
 
 
 @record(slots=True)
 class Sum(Expression):
-    """Terms added up."""
+    """A sum of terms."""
 
     terms: tuple[Expression, ...]
 
     @property
     def parts(self) -> tuple[Expression, ...]:
-        """The terms."""
+        """Return the terms."""
         return self.terms
 
     def built_of(self, parts: Sequence[Expression]) -> Expression:
-        """Return the sum of others."""
+        """Return the sum of other terms."""
         return added(*parts)
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """Their sum."""
+        """Return the sum of the values."""
         return sum((term.value(at, digits) for term in self.terms), 0.0)
 
     def latex(self) -> str:
-        """Return a term that is positive first, if there is one."""
+        """Return the terms joined by signs, with a positive term first if there is one."""
         parts = sorted((term.latex() for term in self.terms), key=lambda part: part.startswith("-"))
         return parts[0] + "".join(f" - {part[1:]}" if part.startswith("-") else f" + {part}" for part in parts[1:])
 
     @property
     def rank(self) -> int:
-        """The lowest."""
+        """Return 0, the lowest binding strength."""
         return 0
 
 
 @record(slots=True)
 class Product(Expression):
-    """Factors multiplied."""
+    """A product of factors."""
 
     factors: tuple[Expression, ...]
 
     @property
     def parts(self) -> tuple[Expression, ...]:
-        """The factors."""
+        """Return the factors."""
         return self.factors
 
     def built_of(self, parts: Sequence[Expression]) -> Expression:
-        """Return the product of others."""
+        """Return the product of other factors."""
         return multiplied(*parts)
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """Their product."""
+        """Return the product of the values."""
         return prod((factor.value(at, digits) for factor in self.factors), start=1.0)
 
     def latex(self) -> str:
-        """Side by side; numbers in digits are kept apart by a sign."""
+        """Return the factors side by side, with a dot between numbers."""
         first, *rest = self.factors
         if first == MINUS_ONE:
             return "-" + Product(tuple(rest)).latex() if len(rest) > 1 else f"-{parenthesized(rest[0], 1)}"
@@ -216,39 +216,39 @@ class Product(Expression):
 
     @property
     def rank(self) -> int:
-        """That of a product; one with a minus sign is like a sum."""
+        """Return 1, or 0 for a product with a minus sign."""
         return 0 if self.negative else 1
 
 
 @record(slots=True)
 class Quotient(Expression):
-    """One divided by another, written as a fraction."""
+    """A quotient, written as a fraction."""
 
     above: Expression
     below: Expression
 
     @property
     def parts(self) -> tuple[Expression, ...]:
-        """Return what is divided, and by what."""
+        """Return the numerator and the denominator."""
         return self.above, self.below
 
     def built_of(self, parts: Sequence[Expression]) -> Expression:
-        """Return the quotient of others."""
+        """Return the quotient of another numerator and denominator."""
         above, below = parts
         return ratio(above, below)
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """Their quotient."""
+        """Return the quotient of the values."""
         return self.above.value(at, digits) / self.below.value(at, digits)
 
     def latex(self) -> str:
-        """As a fraction; a minus sign of the numerator stands before it."""
+        """Return the fraction, with a minus sign of the numerator in front."""
         above, sign = self.above.latex(), "-" if self.negative else ""
         return rf"{sign}{FRACTION}{above[len(sign) :]}}}{{{self.below.latex()}}}"
 
     @property
     def rank(self) -> int:
-        """As of a product."""
+        """Return 1, or 0 for a negative quotient."""
         return 0 if self.negative else 1
 
 
@@ -256,17 +256,17 @@ ZERO, ONE, MINUS_ONE = Number(0.0), Number(1.0), Number(-1.0)
 
 
 def ratio(above: Expression, below: Expression) -> Expression:
-    """Return a fraction whose denominator does not begin with a minus sign."""
+    """Return the quotient of two formulas with a denominator that does not begin with a minus sign."""
     return -above / -below if below.negative else above / below
 
 
 def lifted(value: "Expression | float") -> Expression:
-    """Return a number as a formula."""
+    """Convert a number to a formula; a formula is returned unchanged."""
     return value if isinstance(value, Expression) else Number(float(value))
 
 
 def added(*parts: Expression) -> Expression:
-    """Return a sum without zeros."""
+    """Return the sum of formulas as one flat sum without zero terms."""
     terms = [
         term
         for side in parts
@@ -277,7 +277,7 @@ def added(*parts: Expression) -> Expression:
 
 
 def multiplied(*parts: Expression) -> Expression:
-    """Return a product with one number in front, and none that changes nothing."""
+    """Return the product of formulas as one flat product with a single numerical factor in front."""
     number, factors = 1.0, list[Expression]()
     for side in parts:
         for factor in side.factors if isinstance(side, Product) else (side,):
@@ -293,5 +293,5 @@ def multiplied(*parts: Expression) -> Expression:
 
 
 def parenthesized(held: Expression, rank: int) -> str:
-    """Written so that it can stand beside what binds as tightly as `rank`."""
+    """Return the LaTeX of a formula, in parentheses if it binds less tightly than `rank`."""
     return held.latex() if held.rank >= rank else rf"\left({held.latex()}\right)"

@@ -18,8 +18,8 @@ from sim2reason.solutions.algebra.expressions import (
 )
 from sim2reason.solutions.algebra.functions import Absolute, Call, Pi, Power, Root
 
-LARGEST_DENOMINATOR = 10**6  # the greatest denominator of a number that is written as a fraction
-EXACT = 1e-13  # relative: what rounding leaves of such a number
+LARGEST_DENOMINATOR = 10**6  # largest denominator of a number that is written as a fraction
+EXACT = 1e-13  # relative rounding error allowed in such a number
 NEVER_NEGATIVE = {"m", "M", "k", "g", "R", "d", "t", r"\mu", r"\ell", r"\rho"}
 """Letters of masses, stiffnesses, lengths, times and coefficients, which no scene has with a minus sign."""
 LETTER = re.compile(r"\\?[A-Za-z]+")
@@ -27,46 +27,46 @@ LETTER = re.compile(r"\\?[A-Za-z]+")
 
 @dataclass(frozen=True, slots=True)
 class Factors:
-    """A number times powers of factors; what stands below a fraction has negative exponents."""
+    """A number times integer powers of factors; factors of a denominator have negative exponents."""
 
     number: float
     powers: Mapping[Expression, int]
 
     def __mul__(self, other: "Factors") -> "Factors":
-        """Return their product."""
+        """Return the product."""
         powers = dict(self.powers)
         for base, exponent in other.powers.items():
             powers[base] = powers.get(base, 0) + exponent
         return Factors(self.number * other.number, {base: power for base, power in powers.items() if power})
 
     def raised(self, exponent: int) -> "Factors":
-        """Return a whole power."""
+        """Return an integer power."""
         return Factors(self.number**exponent, {base: power * exponent for base, power in self.powers.items()})
 
     def sides(self) -> "tuple[Factors, Factors]":
-        """Return what stands above and what stands below, the numbers whole if they are a simple fraction."""
+        """Return the numerator and the denominator, with integer coefficients if the number is a simple fraction."""
         over, under = whole_sides(self.number)
         above = {base: power for base, power in self.powers.items() if power > 0}
         below = {base: -power for base, power in self.powers.items() if power < 0}
         return Factors(over, above), Factors(under, below)
 
     def product(self) -> Expression:
-        """Return the product of all factors; their exponents must be positive."""
+        """Return the product of all factors as a formula; all exponents must be positive."""
         factors = sorted(self.powers.items(), key=lambda factor: place(factor[0]))
         return reduce(multiplied, (_raised(base, power) for base, power in factors), Number(self.number))
 
     def written(self) -> Expression:
-        """Return the formula, as a fraction if any exponent is negative."""
+        """Return the formula, as a fraction if an exponent is negative."""
         above, below = (side.product() for side in self.sides())
         return above if below == ONE else Quotient(above, below)
 
     def never_negative(self) -> bool:
-        """Return whether it is positive or zero whatever the symbols stand for."""
+        """Return whether the product is at least zero for all values of its symbols."""
         return self.number >= 0.0 and all(power % 2 == 0 or never_negative(base) for base, power in self.powers.items())
 
 
 def factors_of(held: Expression, of_sum: Callable[[Sum], Expression] = lambda held: held) -> Factors:
-    """Return a formula as powers of its factors; a sum among them is replaced by what `of_sum` says of it."""
+    """Return a formula as powers of its factors; `of_sum` replaces each sum among them."""
     match held:
         case Number(x):
             return Factors(x, {})
@@ -83,7 +83,7 @@ def factors_of(held: Expression, of_sum: Callable[[Sum], Expression] = lambda he
 
 
 def whole_sides(number: float) -> tuple[float, float]:
-    """Return the numerator, signed, and denominator of a number; itself and 1 if it is no simple fraction."""
+    """Return the signed numerator and the denominator of a number; the number and 1 if it is no simple fraction."""
     if number.is_integer():
         return number, 1.0
     fraction = Fraction(number).limit_denominator(LARGEST_DENOMINATOR)
@@ -93,7 +93,7 @@ def whole_sides(number: float) -> tuple[float, float]:
 
 
 def never_negative(held: Expression) -> bool:
-    """Return whether a formula is positive or zero whatever its symbols stand for."""
+    """Return whether a formula is at least zero for all values of its symbols."""
     match held:
         case Number(x):
             return x >= 0.0
@@ -111,7 +111,7 @@ def never_negative(held: Expression) -> bool:
 
 
 def has_fraction(held: Expression) -> bool:
-    """Return whether a fraction stands in a formula, but for the arguments of functions."""
+    """Return whether a formula contains a fraction outside the arguments of functions."""
     return any(True for _ in _fractions(held))
 
 
@@ -133,7 +133,7 @@ def _raised(base: Expression, power: int) -> Expression:
 
 
 def place(held: Expression) -> int:
-    """Return the rank by which factors are ordered: numbers, symbols, sums, roots, functions, fractions."""
+    """Return the sort key of a factor: numbers, symbols, sums, roots, functions, fractions."""
     base = held.base if isinstance(held, Power) else held
     match base:
         case Number() | Pi():

@@ -19,11 +19,11 @@ from sim2reason.solutions.algebra.expressions import (
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
 from sim2reason.solutions.writing.steps import Book, Writing
 
-WHOLE = 1e-12  # by how much a factor may differ from an integer
+WHOLE = 1e-12  # largest difference between a factor and an integer
 
 
 def over(above: Polynomial, below: Polynomial, *, grouped: bool = False) -> Expression:
-    """Divide two polynomials and cancel common factors; with `grouped`, put a common number in front of a sum."""
+    """Return the quotient of two polynomials in lowest terms; with `grouped`, factor common numbers out of sums."""
     if below.number is None:
         above, below = _cancelled(above, below)
         above, below = quotient(above, below) or (above, below)
@@ -39,7 +39,7 @@ def over(above: Polynomial, below: Polynomial, *, grouped: bool = False) -> Expr
 
 
 def _common_number(factors: list[float]) -> float:
-    """Return the greatest integer by which all factors can be divided; one where they are no integers."""
+    """Return the greatest common divisor of integer factors; 1 if one is no integer."""
     whole = [round(factor) for factor in factors]
     if any(abs(factor - number) > WHOLE for factor, number in zip(factors, whole, strict=True)):
         return 1.0
@@ -47,14 +47,14 @@ def _common_number(factors: list[float]) -> float:
 
 
 def _shared_number(factors: list[float]) -> float:
-    """Return the smallest coefficient by magnitude if it divides all others, else 1."""
+    """Return the coefficient of smallest magnitude if it divides all others, else 1."""
     least = min(map(abs, factors), default=1.0)
     whole = len(factors) > 1 and all(abs(factor / least - round(factor / least)) <= WHOLE for factor in factors)
     return least if whole else 1.0
 
 
 def quotient(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial] | None:
-    """Return a fraction of two sums, one of which is the other times a single term, without that sum; else None."""
+    """Cancel a sum that occurs above and below: return both remaining sides, or None if the sides share no sum."""
     for whole, part in ((above, below), (below, above)):
         if not whole.terms or len(whole.terms) != len(part.terms):
             continue
@@ -71,7 +71,7 @@ def quotient(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomi
 
 
 def _cancelled(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial]:
-    """Return a fraction without the atoms that all terms of both share."""
+    """Return a fraction without the common atoms of its numerator and denominator."""
     monomials = [*above.terms, *below.terms]
     if not above.terms:
         return above, below
@@ -85,6 +85,7 @@ def _cancelled(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polyno
 
 
 def _lowered(held: Polynomial, atom: Expression, power: int) -> Polynomial:
+    """Return a polynomial divided by a power of an atom."""
     found = dict[tuple[tuple[Expression, int], ...], float]()
     for monomial, part in held.terms.items():
         powers = dict(monomial)
@@ -97,7 +98,7 @@ Rows = Sequence[Sequence[Polynomial]]
 
 
 def cramer(rows: Rows, right: Sequence[Polynomial]) -> list[Expression]:
-    """Return the unknowns, (n,), of as many equations whose determinant is not zero."""
+    """Return the solution, (n,), of n linear equations by Cramer's rule; the determinant must not be zero."""
     below = determinant(rows)
     found: list[Expression] = []
     for n in range(len(rows)):
@@ -107,11 +108,12 @@ def cramer(rows: Rows, right: Sequence[Polynomial]) -> list[Expression]:
 
 
 def _put(row: Sequence[Polynomial], place: int, held: Polynomial) -> list[Polynomial]:
+    """Replace one coefficient of a row."""
     return [held if n == place else part for n, part in enumerate(row)]
 
 
 def determinant(rows: Rows) -> Polynomial:
-    """By Leibniz's formula."""
+    """Return the determinant by Leibniz's formula."""
     parts: list[Polynomial] = []
     for sign, order in signed_permutations(len(rows)):
         product = Polynomial.of(sign)
@@ -122,7 +124,7 @@ def determinant(rows: Rows) -> Polynomial:
 
 
 def signed_permutations(size: int) -> Iterator[tuple[float, tuple[int, ...]]]:
-    """Yield all orders of so many numbers, each with its sign: 1 if it takes an even number of swaps, else −1."""
+    """Yield all permutations of n indices with their signs: 1 for even ones, else −1."""
     for order in permutations(range(size)):
         swaps = sum(a > b for n, a in enumerate(order) for b in order[n + 1 :])
         yield (-1.0 if swaps % 2 else 1.0), order
@@ -130,7 +132,7 @@ def signed_permutations(size: int) -> Iterator[tuple[float, tuple[int, ...]]]:
 
 @dataclass(frozen=True, slots=True)
 class SymbolicEquation:
-    """A linear equation in symbols: `rest` = Σ coefficient · unknown."""
+    """A linear equation with symbolic coefficients: `rest` = Σ coefficient · unknown."""
 
     label: str
     left: Mapping[str, Polynomial]
@@ -138,26 +140,26 @@ class SymbolicEquation:
 
     @property
     def turned(self) -> "SymbolicEquation":
-        """The same with all signs turned."""
+        """Return the equation with all signs reversed."""
         left = {name: part.scaled(-1.0) for name, part in self.left.items()}
         return SymbolicEquation(self.label, left, self.rest.scaled(-1.0))
 
     @property
     def sides(self) -> tuple[Expression, Expression]:
-        """Both as formulas, with the unknowns on the right, as in the laws that are added up."""
+        """Return both sides as formulas, with the unknowns on the right."""
         whole = total(part * Polynomial.of(Symbol(name)) for name, part in self.left.items())
         return self.rest.expression(), whole.collected(self.left)
 
 
 class CrossElimination:
-    """Solves such equations, and writes down how."""
+    """A solver of symbolic linear equations that eliminates by cross-multiplication and writes the steps."""
 
     def __init__(self, book: Book, units: Mapping[str, str], opened: Callable[[str], Writing]) -> None:
-        """Take the `units`, in LaTeX, of every unknown, and the function `opened` that begins a step."""
+        """Take the LaTeX `units` of the unknowns and the function `opened` that begins a step."""
         self.book, self.units, self._opened = book, units, opened
 
     def reduce(self, equations: Sequence[SymbolicEquation], names: Sequence[str]) -> None:
-        """Give all names their values, the first one first."""
+        """Solve the equations for all names, the first one first."""
         last = names[-1]
         having = [held for held in equations if last in held.left]
         pivot = min(having, key=lambda held: (len(held.left[last].terms), len(held.left)))
@@ -177,7 +179,7 @@ class CrossElimination:
         step.close()
 
     def _without(self, held: SymbolicEquation, pivot: SymbolicEquation, last: str) -> SymbolicEquation:
-        """Return each times what stands before the unknown in the other, the difference told."""
+        """Eliminate an unknown by cross-multiplication of two equations; write and return their difference."""
         mine, other = _signed(pivot.left[last]), _signed(held.left[last])
         sign = -mine[0] * other[0]
         names = dict.fromkeys((*held.left, *pivot.left))
@@ -203,18 +205,19 @@ class CrossElimination:
 
 
 def _signed(held: Polynomial) -> tuple[float, Polynomial]:
-    """With its sign taken out where all terms share it."""
+    """Return the common sign of all terms and the polynomial without it."""
     negative = all(part < 0.0 for part in held.terms.values())
     return (-1.0, held.scaled(-1.0)) if negative else (1.0, held)
 
 
 def _times(weight: Polynomial, label: str) -> str:
+    """Return the text of a weight times the label of an equation."""
     return label if weight.number == 1.0 else f"${parenthesized(weight.expression(), 1)}$·{label}"
 
 
 @dataclass(frozen=True, slots=True)
 class NumericEquation:
-    """A linear equation in numbers: Σ coefficient · unknown = `right`."""
+    """A linear equation with numerical coefficients: Σ coefficient · unknown = `right`."""
 
     label: str
     left: Mapping[str, Expression]
@@ -230,7 +233,7 @@ class NumericEquation:
 
 
 def term(part: Expression, name: str, sign: float) -> Expression:
-    """Return a number times a symbol as a term with its sign in front."""
+    """Return a coefficient times a symbol as a signed term."""
     negative = isinstance(part, Worked) and part.comes_to < 0.0
     size = -part if negative else part
     return multiplied(Number(-sign if negative else sign), multiplied(size, Symbol(name)))

@@ -1,4 +1,4 @@
-"""Powers, roots, functions and signs in formulas."""
+"""Powers, roots, absolute values and elementary functions in formulas."""
 
 import cmath
 import math
@@ -29,11 +29,11 @@ from sim2reason.solutions.algebra.expressions import (
 )
 
 Function = Literal["sin", "cos", "tan", "arctan", "arccos", "arcsin", "ln", "exp"]
-MATH_NAMES = {"arctan": "atan", "arccos": "acos", "arcsin": "asin"}  # where those of `math` are not NumPy's
+MATH_NAMES = {"arctan": "atan", "arccos": "acos", "arcsin": "asin"}  # where the names in `math` differ from NumPy's
 
 
 def _applied(name: str, inside: Scalar) -> Scalar:
-    """Return a function of a number, or of each of many."""
+    """Apply a named function to a number or elementwise to an array."""
     if isinstance(inside, np.ndarray):
         return getattr(np, name)(inside)
     return getattr(cmath if isinstance(inside, complex) else math, MATH_NAMES.get(name, name))(inside)
@@ -41,14 +41,14 @@ def _applied(name: str, inside: Scalar) -> Scalar:
 
 @record(slots=True)
 class Power(Expression):
-    """A whole power."""
+    """An integer power."""
 
     base: Expression
     exponent: int
 
     @property
     def parts(self) -> tuple[Expression, ...]:
-        """The base."""
+        """Return the base."""
         return (self.base,)
 
     def built_of(self, parts: Sequence[Expression]) -> Expression:
@@ -61,13 +61,13 @@ class Power(Expression):
         return self.base.value(at, digits) ** self.exponent
 
     def latex(self) -> str:
-        """With the exponent raised; that of a sine stands before its angle."""
+        """Return the power in LaTeX; the exponent of a sine stands before its argument."""
         if isinstance(self.base, Call) and self.base.function != "exp":
             return rf"\{self.base.function}^{{{self.exponent}}} {parenthesized(self.base.argument, 2)}"
         held = -self.base if self.exponent % 2 == 0 and self.base.negative else self.base  # (−x)² is x²
         base = rf"\left({held.latex()}\right)" if isinstance(held, Power | Number | Call) else parenthesized(held, 2)
         if isinstance(held, Symbol) and "'" in held.name:
-            base = f"{{{base}}}"  # TeX takes a prime for a superscript and refuses a second one
+            base = f"{{{base}}}"  # in TeX a prime is a superscript, and a second one is an error
         return f"{base}^{{{self.exponent}}}"
 
 
@@ -79,42 +79,42 @@ class _OfOne(Expression):
 
     @property
     def parts(self) -> tuple[Expression, ...]:
-        """Return what it is a function of."""
+        """Return the argument."""
         return (self.inside,)
 
     def built_of(self, parts: Sequence[Expression]) -> Expression:
-        """Return the same function of something else."""
+        """Return the same function of another argument."""
         (inside,) = parts
         return type(self)(inside)
 
 
 @record(slots=True)
 class Root(_OfOne):
-    """A square root, the positive one."""
+    """A nonnegative square root."""
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """Return the root; ValueError below zero."""
+        """Return the square root; ValueError for negative radicands."""
         return _applied("sqrt", self.inside.value(at, digits))
 
     def latex(self) -> str:
-        """Under its sign."""
+        """Return the root in LaTeX."""
         return rf"\sqrt{{{self.inside.latex()}}}"
 
 
 @record(slots=True)
 class Call(Expression):
-    """A function of an angle in radians, or of a ratio."""
+    """An elementary function of an angle in radians or of a ratio."""
 
     function: Function
     argument: Expression
 
     @property
     def parts(self) -> tuple[Expression, ...]:
-        """The argument."""
+        """Return the argument."""
         return (self.argument,)
 
     def built_of(self, parts: Sequence[Expression]) -> Expression:
-        """Return the function of something else."""
+        """Return the same function of another argument."""
         (argument,) = parts
         return Call(self.function, argument)
 
@@ -123,7 +123,7 @@ class Call(Expression):
         return _applied("log" if self.function == "ln" else self.function, self.argument.value(at, digits))
 
     def latex(self) -> str:
-        """Return the sine of an angle without parentheses, where that is a symbol."""
+        """Return the function in LaTeX; a symbol as its argument has no parentheses."""
         inside = self.argument.latex()
         if isinstance(self.argument, Symbol):
             return rf"\{self.function}{inside if inside.startswith(chr(92)) else ' ' + inside}"
@@ -135,28 +135,28 @@ class Absolute(_OfOne):
     """An absolute value."""
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """Never negative; of a complex value, the value of which the real part is not, so that it has a derivative."""
+        """Return the absolute value; a complex value gets the sign of its real part, to stay differentiable."""
         inside = self.inside.value(at, digits)
         if isinstance(inside, np.ndarray):
             return np.abs(inside)
         return -inside if inside.real < 0.0 else inside
 
     def latex(self) -> str:
-        """Between bars."""
+        """Return the formula between bars."""
         return rf"\left|{self.inside.latex()}\right|"
 
 
 @record(slots=True)
 class Pi(Expression):
-    """The ratio of a circle's circumference to its diameter."""
+    """The number π."""
 
     def value(self, at: Values, digits: int | None = None) -> Scalar:
-        """Return its value."""
+        """Return π."""
         del at, digits
         return math.pi
 
     def latex(self) -> str:
-        """Return its letter."""
+        """Return the LaTeX of π."""
         return r"\pi"
 
 
@@ -164,7 +164,7 @@ PI = Pi()
 
 
 def plain(held: Expression) -> Expression:
-    """A function of an inverse one without either, as √(1 − x²) for the sine of arccos x; else the formula itself."""
+    """Simplify a function of an inverse function, such as sin(arccos x) to √(1 − x²); return others unchanged."""
     if not isinstance(held, Call) or not isinstance(held.argument, Call):
         return held
     x = held.argument.argument
@@ -184,17 +184,17 @@ def plain(held: Expression) -> Expression:
 
 
 def summed(parts: Iterable[Expression]) -> Expression:
-    """Return all parts added up."""
+    """Return the sum of formulas."""
     return reduce(added, parts, ZERO)
 
 
 def squares(parts: Iterable[Expression]) -> Expression:
-    """Return the sum of the squares, without those of zeros."""
+    """Return the sum of the squares of formulas, without zeros."""
     return summed(Power(-part if part.negative else part, 2) for part in parts if part != ZERO)
 
 
 def length_of(parts: Iterable[Expression]) -> Expression:
-    """Return the length of a vector with these components: of a single one that is not zero its absolute value."""
+    """Return the length of a vector with given components; a single nonzero one gives its absolute value."""
     kept = [part for part in parts if part != ZERO]
     if len(kept) != 1:
         return Root(squares(kept))
@@ -203,7 +203,7 @@ def length_of(parts: Iterable[Expression]) -> Expression:
 
 
 def values(held: Expression, at: Mapping[str, Array]) -> Array:
-    """Return the values of a formula for many numbers under each symbol, (m,); not a number where it has none."""
+    """Return the values of a formula, (m,), for arrays of values of its symbols; NaN where it is undefined."""
     with np.errstate(all="ignore"):
         found = held.value(cast("Values", at))
     return np.where(np.isfinite(found), found, np.nan) * np.ones_like(next(iter(at.values())))
@@ -213,7 +213,7 @@ ODD = ("sin", "tan", "arcsin", "arctan")
 
 
 def with_plain_signs(held: Expression) -> Expression:
-    """Return a formula with the same value whose signs stand as one would write them."""
+    """Rewrite a formula with as few minus signs as in handwriting; its value is unchanged."""
     if not held.parts or isinstance(held, Worked):
         return held
     found = held.built_of([with_plain_signs(part) for part in held.parts])
@@ -228,7 +228,7 @@ def with_plain_signs(held: Expression) -> Expression:
 
 
 def _product(factors: Sequence[Expression]) -> Expression:
-    """Return a product of positive factors, with at most one sign before it."""
+    """Return a product of factors without signs, with at most one minus sign in front."""
     sign, kept = 1.0, list[Expression]()
     for factor in factors:
         turned = factor.negative if not isinstance(factor, Worked) else factor.comes_to < 0.0
@@ -239,14 +239,14 @@ def _product(factors: Sequence[Expression]) -> Expression:
 
 
 def _negated(held: Expression) -> Expression:
-    """Return the negative of a formula; a fraction whose denominator is a difference has that reversed."""
+    """Return the negative of a formula; in a fraction, a difference in the denominator is reversed."""
     if isinstance(held, Quotient) and is_difference(held.below):
         return Quotient(held.above, -held.below)
     return multiplied(Number(-1.0), held)
 
 
 def _fraction(held: Quotient) -> Expression:
-    """Return a fraction with the sign of its numerator in front, or with a difference in its denominator reversed."""
+    """Return a fraction with its minus sign in front, or removed by reversing a difference in the denominator."""
     if held.above.negative and is_difference(held.below):
         return Quotient(_opposite(held.above), -held.below)
     if isinstance(held.above, Sum) and held.above.negative:
@@ -255,10 +255,10 @@ def _fraction(held: Quotient) -> Expression:
 
 
 def is_difference(held: Expression) -> bool:
-    """Return whether a formula is a sum with terms of both signs."""
+    """Return whether a formula is a sum with positive and negative terms."""
     return isinstance(held, Sum) and len({term.negative for term in held.terms}) > 1
 
 
 def _opposite(held: Expression) -> Expression:
-    """Return the formula without its leading minus sign."""
+    """Return a formula without its leading minus sign."""
     return ratio(_opposite(held.above), held.below) if isinstance(held, Quotient) else -held

@@ -1,4 +1,4 @@
-"""Equations solved for one symbol: by undoing what was done to it, as a polynomial in it, or numerically."""
+"""Equations solved for one symbol: by inverse operations, as polynomials, or numerically."""
 
 from collections.abc import Callable, Iterator, Mapping
 from functools import reduce
@@ -20,7 +20,7 @@ from sim2reason.solutions.algebra.expressions import (
 from sim2reason.solutions.algebra.functions import Call, Function, Power, Root
 from sim2reason.solutions.algebra.polynomials import Polynomial
 
-NEAR = 1e-6  # relative: how well a branch must meet the value that is known
+NEAR = 1e-6  # relative: largest difference between a root and the known value
 UNDONE: dict[str, Function] = {
     "sin": "arcsin",
     "cos": "arccos",
@@ -40,9 +40,9 @@ def solved_for(
     at: Mapping[str, float],
     written: Written = Polynomial.factored,
 ) -> Expression:
-    """Return a formula for a symbol in an equation; of several branches, the one with its value `at` known values.
+    """Solve formula = value for a symbol; among several branches, choose the one with the known value in `at`.
 
-    `written` gives the coefficients of a quadratic equation the form in which they are told.
+    `written` converts the coefficients of a quadratic equation to formulas.
     """
     for held in _branches(name, formula, value, written):
         found = _real(held, at)
@@ -52,7 +52,7 @@ def solved_for(
 
 
 def other_solutions(name: str, formula: Expression, value: Expression, at: Mapping[str, float]) -> list[float]:
-    """Return what else a symbol may be where a formula of it has a value, apart from what it is `at` known values."""
+    """Return the other values of a symbol that solve formula = value, besides its known value in `at`."""
     found: list[float] = []
     for held in _branches(name, formula, value, Polynomial.factored):
         other = _real(held, at)
@@ -67,12 +67,12 @@ def other_solutions(name: str, formula: Expression, value: Expression, at: Mappi
 
 
 def numeric_root(name: str, formula: Expression, value: Expression, at: Mapping[str, float]) -> NumericRoot:
-    """Return the same, found numerically near where it is known to be."""
+    """Return the numerical root of formula = value near the known value of a symbol."""
     return NumericRoot(added(formula, -value), name, at[name])
 
 
 def put(held: Expression, name: str, formula: Expression) -> Expression:
-    """Return a formula with another one in place of a symbol."""
+    """Substitute a formula for a symbol."""
     if name not in held.symbols():
         return held
     if isinstance(held, Symbol):
@@ -85,12 +85,12 @@ def put(held: Expression, name: str, formula: Expression) -> Expression:
 
 
 def put_all(held: Expression, formulas: Mapping[str, Expression]) -> Expression:
-    """Return a formula with other formulas in place of symbols, put in one after the other."""
+    """Substitute formulas for symbols, one after the other."""
     return reduce(lambda whole, pair: put(whole, *pair), formulas.items(), held)
 
 
 def settled(held: Expression, unknown: frozenset[str], worked: Callable[[Expression], Expression]) -> Expression:
-    """Return a formula whose known parts are written as numbers, unless all of these are single symbols."""
+    """Replace the known parts of a formula by numbers, unless all of them are single symbols."""
     found = _Settling(unknown, worked).of(held)
     return _without_symbols(found, unknown, worked) if next(numbers(found), None) is not None else found
 
@@ -98,7 +98,7 @@ def settled(held: Expression, unknown: frozenset[str], worked: Callable[[Express
 def _without_symbols(
     held: Expression, unknown: frozenset[str], worked: Callable[[Expression], Expression]
 ) -> Expression:
-    """Return a formula with the values of all known symbols, before other factors, as in 3.2 v."""
+    """Replace known symbols by their values and put numbers first in products, as in 3.2 v."""
     if isinstance(held, Symbol):
         return held if held.name in unknown else worked(held)
     if not held.parts or isinstance(held, Worked):
@@ -110,20 +110,21 @@ def _without_symbols(
 
 
 class _Settling:
-    """A replacement of the known parts of formulas by numbers; a part that occurs several times is visited once."""
+    """A replacement of the known parts of formulas by numbers; repeated parts are visited once."""
 
     def __init__(self, unknown: frozenset[str], worked: Callable[[Expression], Expression]) -> None:
         self._unknown, self._worked = unknown, worked
-        self._open: dict[int, bool] = {}  # by the identities of parts, which the whole formula keeps alive
+        self._open: dict[int, bool] = {}  # by id of parts; the whole formula keeps them alive
         self._found: dict[int, Expression] = {}
 
     def of(self, held: Expression) -> Expression:
-        """Return a formula with such numbers."""
+        """Return a formula with its known parts replaced by numbers."""
         if id(held) not in self._found:
             self._found[id(held)] = self._settled(held)
         return self._found[id(held)]
 
     def _settled(self, held: Expression) -> Expression:
+        """Return a formula with its known parts replaced by numbers, without the cache."""
         if not self._is_open(held):
             return held if isinstance(held, Number | Symbol | Worked) else self._worked(held)
         if not held.parts or isinstance(held, Worked):
@@ -136,7 +137,7 @@ class _Settling:
         return held.built_of([self.of(part) for part in held.parts])
 
     def _is_open(self, held: Expression) -> bool:
-        """Return whether a part holds something unknown."""
+        """Return whether a part contains an unknown."""
         if id(held) not in self._open:
             parts = held.parts
             names = () if parts else held.symbols()
@@ -145,6 +146,7 @@ class _Settling:
 
 
 def _real(held: Expression, at: Mapping[str, float]) -> float | None:
+    """Return the real value of a formula; None if it is undefined or complex."""
     try:
         found = held.value(at)
     except (ValueError, ZeroDivisionError, OverflowError):
@@ -153,7 +155,7 @@ def _real(held: Expression, at: Mapping[str, float]) -> float | None:
 
 
 def _branches(name: str, formula: Expression, value: Expression, written: Written) -> Iterator[Expression]:
-    """Yield all that a symbol may be."""
+    """Yield all closed-form solutions of formula = value for a symbol."""
     formula = atoms_worked(formula, name)
     if formula == Symbol(name):
         yield value
@@ -167,7 +169,7 @@ def _branches(name: str, formula: Expression, value: Expression, written: Writte
 
 
 def _undone(formula: Expression, part: Expression, value: Expression) -> Iterator[Expression]:
-    """Yield the formulas of a part of a formula whose value and other parts are known."""
+    """Yield the formulas of one part of a formula, given its value and its other parts, by the inverse operation."""
     match formula:
         case Sum():
             yield reduce(added, (-term for term in formula.terms if term is not part), value)
@@ -190,7 +192,7 @@ def _undone(formula: Expression, part: Expression, value: Expression) -> Iterato
 
 
 def _roots(name: str, formula: Expression, value: Expression, written: Written) -> Iterator[Expression]:
-    """Yield the formulas for a symbol that stands in several places of an equation."""
+    """Yield the closed-form solutions for a symbol that occurs several times in an equation."""
     try:
         zero = fraction(formula) + fraction(-value)
     except OverflowError:

@@ -1,4 +1,4 @@
-"""What mathematics it takes to work out an expression."""
+"""The mathematics that the evaluation of an expression needs."""
 
 from collections.abc import Iterable, Mapping
 from functools import cache
@@ -36,11 +36,11 @@ OPERATIONS: Mapping[type[Expression], Need] = {
 """What it takes to work out an expression of a class, or of a subclass, once all that is inside it is known."""
 LEAVES = frozenset[type[Expression]]({Number, Symbol, Pi})
 """Classes without anything inside."""
-DIRECT = frozenset[Function]({"sin", "cos", "tan"})  # of known angles; all other functions undo something
+DIRECT = frozenset[Function]({"sin", "cos", "tan"})  # functions of known angles; all other functions are inverse ones
 
 
 def need_of(held: Expression) -> Need:
-    """Return what it takes to work out an expression where all its symbols have values."""
+    """Return the most advanced mathematics that the evaluation of an expression needs."""
     cls = type(held)
     if cls in LEAVES:
         return Need.ARITHMETIC
@@ -51,11 +51,12 @@ def need_of(held: Expression) -> Need:
 
 @cache
 def operation(cls: type[Expression]) -> Need:
-    """Return what `OPERATIONS` declares for a class of expressions; KeyError if nothing."""
+    """Return the need of a class of expressions in `OPERATIONS`; KeyError if it is missing."""
     return OPERATIONS[next((base for base in cls.__mro__ if base in OPERATIONS), cls)]
 
 
 def _inside(held: Expression) -> Iterable[Expression]:
+    """Return the subexpressions whose needs count."""
     match held:
         case Worked():
             return (held.inner,)

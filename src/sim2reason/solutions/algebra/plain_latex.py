@@ -1,4 +1,4 @@
-"""LaTeX of formulas: no fraction within a fraction, equal factors as powers, common factors cancelled."""
+"""LaTeX of simplified formulas: no nested fractions, repeated factors as powers, common factors cancelled."""
 
 import re
 from collections.abc import Mapping
@@ -30,9 +30,9 @@ from sim2reason.solutions.algebra.functions import Absolute, Power, Root, is_dif
 
 
 def one_storey(held: Expression) -> Expression:
-    """Return a formula with the same value, in none of whose fractions a fraction stands.
+    """Rewrite a formula without nested fractions; its value is unchanged.
 
-    Arguments of functions may have fractions of their own. A root of a fraction stands beside a fraction.
+    Arguments of functions may contain fractions. A root of a fraction is a separate factor.
     """
     if not held.parts or isinstance(held, Worked):
         return held
@@ -44,7 +44,7 @@ def one_storey(held: Expression) -> Expression:
 
 
 def _one_storey(held: Expression) -> Expression:
-    """Return a formula of whose parts each is of one storey."""
+    """Remove nested fractions from a formula whose parts have none."""
     match held:
         case Quotient(above, below) if has_fraction(above) or has_fraction(below) or is_reducible(held):
             return _reduced(held)
@@ -61,7 +61,7 @@ def _one_storey(held: Expression) -> Expression:
 
 
 def is_storeyed(held: Expression) -> bool:
-    """Return whether there is a fraction above or below a fraction."""
+    """Return whether a formula contains a nested fraction."""
     if isinstance(held, Worked):
         return False
     here = isinstance(held, Quotient) and (has_fraction(held.above) or has_fraction(held.below))
@@ -69,7 +69,7 @@ def is_storeyed(held: Expression) -> bool:
 
 
 def is_reducible(held: Expression) -> bool:
-    """Return whether a factor of a product or fraction stands there twice, or cancels with one under a root."""
+    """Return whether a product or fraction has a repeated factor, or one that cancels with a factor under a root."""
     if not isinstance(held, Product | Quotient):
         return False
     factors = [factor for side in _sides(held) for factor in _factors(side)]
@@ -82,11 +82,12 @@ def is_reducible(held: Expression) -> bool:
 
 
 def _is_size_of_fraction(held: Expression) -> bool:
+    """Return whether a formula is the absolute value of a fraction."""
     return isinstance(held, Absolute) and isinstance(held.inside, Quotient)
 
 
 def _sides(held: Expression) -> tuple[Expression, ...]:
-    """Return what is multiplied and divided in a product, whose fractions count with both of their sides."""
+    """Return all numerators and denominators of the fractions in a product."""
     match held:
         case Quotient(above, below):
             return above, below
@@ -97,6 +98,7 @@ def _sides(held: Expression) -> tuple[Expression, ...]:
 
 
 def _factors(held: Expression) -> tuple[Expression, ...]:
+    """Return the factors of a product; other formulas are their own only factor."""
     return held.factors if isinstance(held, Product) else (held,)
 
 
@@ -104,7 +106,7 @@ def _factors(held: Expression) -> tuple[Expression, ...]:
 
 
 def _reduced(held: Expression) -> Expression:
-    """Return a product or fraction as a fraction of one storey, with roots of fractions and the like beside it."""
+    """Return a product or fraction as a single fraction, with roots of fractions as separate factors."""
     whole = _upright(_with_roots_reduced(_unfolded(factors_of(held, _as_fraction))))
     beside = {base: power for base, power in whole.powers.items() if power > 0 and has_fraction(base)}
     left = Factors(whole.number, {base: power for base, power in whole.powers.items() if base not in beside})
@@ -112,7 +114,7 @@ def _reduced(held: Expression) -> Expression:
 
 
 def _upright(whole: Factors) -> Factors:
-    """Return factors without a negative number if a difference among them can be reversed."""
+    """Remove a negative number from factors by reversing a difference among them."""
     base = next((base for base, power in whole.powers.items() if power % 2 and is_difference(base)), None)
     if whole.number > 0.0 or base is None:
         return whole
@@ -120,7 +122,7 @@ def _upright(whole: Factors) -> Factors:
 
 
 def _unfolded(whole: Factors) -> Factors:
-    """Return factors without moduli of fractions, and without roots of which there is an even power."""
+    """Expand absolute values of fractions and even powers of roots in factors."""
     found = Factors(whole.number, {})
     for base, power in whole.powers.items():
         match base:
@@ -138,10 +140,12 @@ def _unfolded(whole: Factors) -> Factors:
 
 
 def _same(held: Sum) -> Expression:
+    """Return the sum unchanged, as a default for `of_sum`."""
     return held
 
 
 def _size(held: Expression) -> Expression:
+    """Return the absolute value of a formula, without bars if it is never negative."""
     return held if never_negative(held) else Absolute(held)
 
 
@@ -149,7 +153,7 @@ def _size(held: Expression) -> Expression:
 
 
 def _as_fraction(held: Sum) -> Expression:
-    """Return a sum with fractions among its terms as one fraction; one of roots of fractions as it is."""
+    """Return a sum with fractions among its terms as one fraction; other sums are returned unchanged."""
     terms = [factors_of(term, _as_fraction) for term in held.terms]
     if not any(_is_divided(term) for term in terms):
         return held
@@ -168,7 +172,7 @@ def _as_fraction(held: Sum) -> Expression:
 
 
 def _together(terms: list[Factors], common: Factors) -> list[Factors]:
-    """Return terms with those that are no fractions as one sum, where a sum stands below the others."""
+    """Combine the terms without denominators into one sum if another term has a sum as its denominator."""
     whole = [term for term in terms if not _is_divided(term)]
     if len(whole) < 2 or not any(isinstance(base, Sum) for base in common.powers):
         return terms
@@ -177,15 +181,17 @@ def _together(terms: list[Factors], common: Factors) -> list[Factors]:
 
 
 def _terms(held: Expression) -> tuple[Expression, ...]:
+    """Return the terms of a sum; other formulas are their own only term."""
     return held.terms if isinstance(held, Sum) else (held,)
 
 
 def _is_divided(term: Factors) -> bool:
+    """Return whether a term has a denominator."""
     return whole_sides(term.number)[1] != 1.0 or any(power < 0 for power in term.powers.values())
 
 
 def _shared(held: Expression) -> Factors:
-    """Return the powers that all terms share."""
+    """Return the common factors of all terms."""
     first, *others = (factors_of(term) for term in _terms(held))
     if not others:
         return Factors(1.0, {})
@@ -196,7 +202,7 @@ def _shared(held: Expression) -> Factors:
 
 
 def _with_like_terms_added(held: Sum) -> Expression:
-    """Return a sum in which no two terms differ in their numbers alone."""
+    """Return a sum with its like terms combined."""
     found: dict[frozenset[tuple[Expression, int]], tuple[float, Mapping[Expression, int]]] = {}
     terms = [factors_of(term) for term in held.terms]
     for term in terms:
@@ -212,7 +218,7 @@ def _with_like_terms_added(held: Sum) -> Expression:
 
 
 def _root(held: Root, inside: Expression) -> Expression:
-    """Return a root without a minus sign that a difference can take, and with the square of a number before it."""
+    """Simplify the sign of a radicand and take a square number out of the root."""
     if not isinstance(inside, Quotient | Product):
         return held
     whole = factors_of(inside)
@@ -224,7 +230,7 @@ def _root(held: Root, inside: Expression) -> Expression:
 
 
 def _with_roots_reduced(whole: Factors) -> Factors:
-    """Return factors without roots of fractions below, and without what stands both under a root and beside it."""
+    """Rewrite factors without roots of fractions in the denominator, and cancel factors with roots of the same base."""
     found = whole
     for root, power in whole.powers.items():
         if isinstance(root, Root):
@@ -233,7 +239,7 @@ def _with_roots_reduced(whole: Factors) -> Factors:
 
 
 def _with_root_reduced(whole: Factors, root: Root, power: int) -> Factors:
-    """Return factors with a root turned over if it stands below and is one of a fraction, and with less under it."""
+    """Invert a root of a fraction in the denominator and cancel its radicand with other factors."""
     if power < 0 and not (has_fraction(root.inside) or _base_above(whole, root)):
         return whole
     inside = factors_of(root.inside, _as_fraction if power < 0 else _same).raised(1 if power > 0 else -1)
@@ -250,18 +256,19 @@ def _with_root_reduced(whole: Factors, root: Root, power: int) -> Factors:
 
 
 def _base_above(whole: Factors, root: Root) -> bool:
-    """Return whether what stands under a root also stands above a fraction."""
+    """Return whether a factor of a radicand also occurs in the numerator."""
     inside = factors_of(root.inside)
     return any(whole.powers.get(base, 0) > 0 for base, power in inside.powers.items() if power > 0)
 
 
 def _is_positive_in(base: Expression, inside: Factors) -> bool:
-    """Return whether a factor under a root is positive, by itself or because all others are."""
+    """Return whether a factor of a radicand is positive, by itself or because all others are."""
     others = Factors(inside.number, {other: power for other, power in inside.powers.items() if other != base})
     return never_negative(base) or (inside.powers[base] % 2 == 1 and others.never_negative())
 
 
 def _root_of(inside: Factors) -> Factors:
+    """Return the factors of the square root of factors."""
     formula = inside.written()
     return factors_of(_root(Root(formula), formula)) if formula != ONE else Factors(1.0, {})
 
@@ -274,7 +281,7 @@ REPEATED = re.compile(SYMBOL + r"(?:\^\{\d\})? \1(?![\w'])")
 
 
 def plain_latex(held: Expression) -> str:
-    """Return the LaTeX of a formula with signs as one would write them, and its fractions reduced."""
+    """Return the LaTeX of a formula after simplification of its signs and fractions."""
     found = held.latex()
     if SIGNS.search(found):
         found = (held := with_plain_signs(held)).latex()

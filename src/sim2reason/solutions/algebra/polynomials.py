@@ -1,4 +1,4 @@
-"""Polynomials of symbols: sums of products, in which equal terms find each other and what cancels is gone."""
+"""Polynomials in symbols: sums of products with like terms combined."""
 
 from collections.abc import Collection, Iterable, Mapping
 from typing import Self
@@ -17,34 +17,34 @@ from sim2reason.solutions.algebra.expressions import (
 )
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 
-NOTHING = 1e-12  # a coefficient that rounding has left
-PLACES = {r"\mu": 0, "m": 1, "M": 1, "g": 3, "a": 4, "T": 4, "N": 4, "v": 5, "t": 6}  # by letters; others between
-Monomial = tuple[tuple[Expression, int], ...]  # atoms and their powers, in the order in which they are written
+NOTHING = 1e-12  # smaller coefficients count as zero
+PLACES = {r"\mu": 0, "m": 1, "M": 1, "g": 3, "a": 4, "T": 4, "N": 4, "v": 5, "t": 6}  # sort keys of letters; others 2
+Monomial = tuple[tuple[Expression, int], ...]  # atoms and their exponents, in written order
 
 
 @record()
 class Polynomial:
-    """Σ coefficient · product of powers of atoms; an atom is a symbol, or the sine or cosine of one."""
+    """A sum of coefficients times powers of atoms; an atom is a symbol, a root, or the sine or cosine of a symbol."""
 
     terms: Mapping[Monomial, float]
 
     @classmethod
     def of(cls, atom: Expression | float) -> Self:
-        """Return a single atom, or a number."""
+        """Return an atom or a number as a polynomial."""
         if isinstance(atom, Expression):
             return cls({((atom, 1),): 1.0})
         return cls({(): float(atom)} if atom else {})
 
     def __add__(self, other: "Polynomial") -> "Polynomial":
-        """Their sum."""
+        """Return the sum."""
         return total((self, other))
 
     def __sub__(self, other: "Polynomial") -> "Polynomial":
-        """Their difference."""
+        """Return the difference."""
         return total((self, other.scaled(-1.0)))
 
     def __mul__(self, other: "Polynomial") -> "Polynomial":
-        """Their product; of one angle, sin² + cos² is 1."""
+        """Return the product, with sin² + cos² of one angle replaced by 1."""
         if (factor := self.number) is not None:
             return other.scaled(factor)
         if (factor := other.number) is not None:
@@ -57,25 +57,25 @@ class Polynomial:
         return Polynomial(_cleaned(found))
 
     def scaled(self, factor: float) -> "Polynomial":
-        """Times a number."""
+        """Return the polynomial times a number."""
         if factor == 1.0:
             return self
         return Polynomial({monomial: factor * part for monomial, part in self.terms.items()} if factor else {})
 
     def __bool__(self) -> bool:
-        """Return whether it is not zero."""
+        """Return whether the polynomial is not zero."""
         return bool(self.terms)
 
     @property
     def number(self) -> float | None:
-        """The number that it is, or None."""
+        """Return the number to which the polynomial is equal, or None."""
         if not self.terms:
             return 0.0
         return self.terms.get(()) if len(self.terms) == 1 else None
 
     @property
     def symbol(self) -> Symbol | None:
-        """The symbol that it is, up to a sign, or None."""
+        """Return the symbol to which the polynomial is equal up to a sign, or None."""
         if len(self.terms) != 1:
             return None
         (monomial, part), *_ = self.terms.items()
@@ -84,22 +84,22 @@ class Polynomial:
         return atom if isinstance(atom, Symbol) else None
 
     def coefficient(self, name: str) -> "Polynomial":
-        """Return what stands before a symbol in the terms that hold it once."""
+        """Return the coefficient of the first power of a symbol."""
         atom = (Symbol(name), 1)
         return Polynomial(
             {tuple(p for p in monomial if p != atom): part for monomial, part in self.terms.items() if atom in monomial}
         )
 
     def without(self, names: Collection[str]) -> "Polynomial":
-        """Return the terms that hold none of some symbols."""
+        """Return the terms that contain none of some symbols."""
         return Polynomial({m: part for m, part in self.terms.items() if not _holds(m, names)})
 
     def holding(self, names: Collection[str]) -> "Polynomial":
-        """Return the terms that hold one of some symbols."""
+        """Return the terms that contain one of some symbols."""
         return Polynomial({m: part for m, part in self.terms.items() if _holds(m, names)})
 
     def put(self, values: Mapping[str, "Polynomial"]) -> "Polynomial":
-        """With polynomials in place of symbols, of which each term holds at most first powers."""
+        """Substitute polynomials for symbols that occur in first powers."""
         if not any(_holds(monomial, values) for monomial in self.terms):
             return self
         parts: list[Polynomial] = []
@@ -115,7 +115,7 @@ class Polynomial:
         return total(parts)
 
     def names(self) -> set[str]:
-        """Return all symbols in it, those under a sine included."""
+        """Return the names of all symbols, also those in arguments of functions."""
         return {name for monomial in self.terms for atom, _ in monomial for name in atom.symbols()}
 
     def value(self, at: Values) -> float:
@@ -125,11 +125,11 @@ class Polynomial:
         return found
 
     def expression(self) -> Expression:
-        """As a formula, term by term."""
+        """Return the polynomial as a formula, term by term."""
         return added(*(written(monomial, part) for monomial, part in self.terms.items()))
 
     def factored(self) -> Expression:
-        """As a formula, with what all terms share in front: m g (sin θ − µ cos θ)."""
+        """Return the polynomial as a formula with common factors in front: m g (sin θ − µ cos θ)."""
         if len(self.terms) < 2:
             return self.expression()
         shared = common(list(self.terms))
@@ -143,7 +143,7 @@ class Polynomial:
         return multiplied(inner, outer) if trailing and len(shared) == 1 else multiplied(outer, inner)
 
     def collected(self, names: Iterable[str]) -> Expression:
-        """As a formula in which each of some symbols stands once, with a bracket before it: (m + M) a."""
+        """Return the polynomial as a formula with its terms collected by symbols: (m + M) a."""
         left = self
         found: Expression = ZERO
         for name in names:
@@ -158,7 +158,7 @@ NIL = Polynomial({})
 
 
 def total(parts: Iterable[Polynomial]) -> Polynomial:
-    """Return the sum of several."""
+    """Return the sum of polynomials."""
     first, *others = [*parts] or [NIL]
     found = dict(first.terms)
     for part in others:
@@ -168,7 +168,7 @@ def total(parts: Iterable[Polynomial]) -> Polynomial:
 
 
 def written(monomial: Monomial, part: float) -> Expression:
-    """Return one term as a formula."""
+    """Return a term as a formula."""
     above, below = list[Expression]([Number(part)]), list[Expression]()
     for atom, power in monomial:
         (above if power > 0 else below).append(atom if abs(power) == 1 else Power(atom, abs(power)))
@@ -177,6 +177,7 @@ def written(monomial: Monomial, part: float) -> Expression:
 
 
 def _term_value(monomial: Monomial, part: float, at: Values) -> Scalar:
+    """Return the value of a term."""
     above: Scalar = part
     below: Scalar = 1.0
     for atom, power in monomial:
@@ -189,6 +190,7 @@ def _term_value(monomial: Monomial, part: float, at: Values) -> Scalar:
 
 
 def _times(before: Polynomial, last: Symbol) -> Expression:
+    """Return a polynomial times a symbol as a formula, with the symbol last."""
     if len(before.terms) == 1:
         (monomial, part), *_ = before.terms.items()
         return written(_joined(monomial, ((last, 1),)), part)
@@ -198,7 +200,7 @@ def _times(before: Polynomial, last: Symbol) -> Expression:
 
 
 def written_order(part: tuple[Expression, int]) -> tuple[int, str]:
-    """µ, then masses, then the rest, g, unknowns, and roots and sines last."""
+    """Return the sort key of an atom in a product: µ, masses, others, g, unknowns, roots, functions."""
     name = part[0].latex()
     if isinstance(part[0], Root):
         return 8, name
@@ -208,6 +210,7 @@ def written_order(part: tuple[Expression, int]) -> tuple[int, str]:
 
 
 def _joined(one: Monomial, two: Monomial) -> Monomial:
+    """Return the product of two monomials."""
     if not one or not two:
         return one or two
     powers: dict[Expression, int] = dict(one)
@@ -217,11 +220,12 @@ def _joined(one: Monomial, two: Monomial) -> Monomial:
 
 
 def _holds(monomial: Monomial, names: Collection[str]) -> bool:
+    """Return whether a monomial contains one of some symbols."""
     return any(isinstance(atom, Symbol) and atom.name in names for atom, _ in monomial)
 
 
 def _cleaned(terms: dict[Monomial, float]) -> dict[Monomial, float]:
-    """Without what cancels, and with sin² + cos² as 1."""
+    """Remove terms that cancel, and replace sin² + cos² by 1."""
     kept = _without_nothing(terms)
     waiting = [monomial for monomial in kept if _squared_sine(monomial) is not None][::-1]
     if not waiting:
@@ -229,7 +233,7 @@ def _cleaned(terms: dict[Monomial, float]) -> dict[Monomial, float]:
     while waiting:
         monomial = waiting.pop()
         sine = _squared_sine(monomial)
-        if sine is None or monomial not in kept:  # it may have been the partner of one before
+        if sine is None or monomial not in kept:  # the partner of an earlier one
             continue
         part = kept[monomial]
         rest = tuple(held for held in monomial if held[0] != sine)
@@ -237,12 +241,12 @@ def _cleaned(terms: dict[Monomial, float]) -> dict[Monomial, float]:
         if abs(kept.get(partner, 0.0) - part) <= NOTHING and partner in kept:
             del kept[monomial], kept[partner]
             kept[rest] = kept.get(rest, 0.0) + part
-            waiting.insert(0, rest)  # for the sines and cosines of another angle, when all is known
+            waiting.insert(0, rest)  # may pair with terms in sines and cosines of another angle
     return _without_nothing(kept)
 
 
 def _without_nothing(terms: dict[Monomial, float]) -> dict[Monomial, float]:
-    """Without what cancels; the same object where nothing does, since to hash all terms again takes time."""
+    """Remove terms that cancel; return the same object if none does, which saves hashing all terms again."""
     for part in terms.values():
         if -NOTHING <= part <= NOTHING:
             break
@@ -252,7 +256,7 @@ def _without_nothing(terms: dict[Monomial, float]) -> dict[Monomial, float]:
 
 
 def _squared_sine(monomial: Monomial) -> Call | None:
-    """Return the first sine in a term that is squared."""
+    """Return the first squared sine in a monomial."""
     for atom, power in monomial:
         if power == 2 and isinstance(atom, Call) and atom.function == "sin":
             return atom
@@ -260,7 +264,7 @@ def _squared_sine(monomial: Monomial) -> Call | None:
 
 
 def divided(held: Polynomial, monomial: Monomial, part: float) -> Polynomial | None:
-    """Return a polynomial by a single term; None if that does not divide all of it."""
+    """Divide a polynomial by a single term; return None if a term is not divisible."""
     found: dict[Monomial, float] = {}
     for term, factor in held.terms.items():
         powers = dict(term)
@@ -273,7 +277,7 @@ def divided(held: Polynomial, monomial: Monomial, part: float) -> Polynomial | N
 
 
 def common(monomials: list[Monomial]) -> Monomial:
-    """Return the atoms that all monomials share, in their lowest powers; none if there are no monomials."""
+    """Return the common atoms of all monomials in their lowest powers; empty if there are no monomials."""
     found = dict(monomials[0]) if monomials else {}
     for monomial in monomials[1:]:
         powers = dict(monomial)
@@ -282,6 +286,7 @@ def common(monomials: list[Monomial]) -> Monomial:
 
 
 def _less(monomial: Monomial, shared: Monomial) -> Monomial:
+    """Return a monomial divided by one of its divisors."""
     powers = dict(monomial)
     for atom, power in shared:
         powers[atom] -= power
@@ -289,7 +294,7 @@ def _less(monomial: Monomial, shared: Monomial) -> Monomial:
 
 
 def balance(forces: Polynomial) -> tuple[Expression, Expression]:
-    """Return the positive terms of a sum that vanishes, and the others with opposite signs."""
+    """Return both sides of sum = 0 with positive terms only: the positive terms and the negated negative ones."""
     positive = Polynomial({m: part for m, part in forces.terms.items() if part > 0.0})
     negative = Polynomial({m: -part for m, part in forces.terms.items() if part < 0.0})
     return positive.expression(), negative.expression()

@@ -1,4 +1,4 @@
-"""Values of an unknown for which formulas come to a given number, searched for in the range that it may have."""
+"""Numerical search for the values of an unknown at which formulas have a given value."""
 
 from math import isfinite, pi
 
@@ -8,21 +8,21 @@ from sim2reason.solutions.algebra.evaluated import Chain, ImplicitRoot
 from sim2reason.solutions.writing.steps import Book
 from sim2reason.solutions.writing.unit_latex import DEGREES
 
-POINTS = 801
-REACH = 1e4  # times its value, either way
-HALVINGS = 60
-NEAR = 1e-3  # of the larger of two values on either side of a zero: a pole leaves more
+POINTS = 801  # samples of the range of an unknown
+REACH = 1e4  # ratio of the largest and smallest value of the range to the known value
+HALVINGS = 60  # steps of bisection
+NEAR = 1e-3  # relative to the values beside a change of sign: larger residuals are those of a pole
 
 
 def is_explicit(chain: Chain) -> bool:
-    """Return whether a chain has a value for any value of its unknown, as none of its formulas is a numeric root."""
+    """Return whether a chain contains no numerical root, so that it has a value for each value of its unknown."""
     return not any(isinstance(formula, ImplicitRoot) for _, formula in chain.formulas)
 
 
 def values_with(chain: Chain, target: float, unknown: str, book: Book) -> list[float]:
-    """Return the values of an unknown for which the last formula of a chain has the value `target`, in SI units.
+    """Return the values of an unknown, in SI units, at which the last formula of a chain equals `target`.
 
-    Only values of the sign that the unknown has are found; of angles up to 90°, of coefficients of restitution up to 1.
+    The search covers values with the sign of the known value; angles up to 90°, coefficients of restitution up to 1.
     """
 
     def off(value: float) -> float:
@@ -48,12 +48,12 @@ def values_with(chain: Chain, target: float, unknown: str, book: Book) -> list[f
 
 
 def is_restitution(name: str, book: Book) -> bool:
-    """Return whether a name is that of a coefficient of restitution, which is at most 1."""
+    """Return whether a symbol is a coefficient of restitution, which is at most 1."""
     return name.partition("_")[0] == "e" and not book.units[name] and 0.0 < book.values[name] <= 1.0
 
 
 def told_range(unknown: str, book: Book) -> str:
-    """Return the range that an unknown may have, in words that follow *no*, such as *positive $m$*."""
+    """Return the range of an unknown as words that follow *no*, such as *positive $m$*."""
     name = f"${unknown}$"
     if book.units[unknown] == DEGREES:
         return f"{name} between $0^\\circ$ and $90^\\circ$"
@@ -63,6 +63,7 @@ def told_range(unknown: str, book: Book) -> str:
 
 
 def _points(unknown: str, book: Book) -> list[float]:
+    """Return samples of the range of an unknown."""
     known = book.values[unknown]
     if book.units[unknown] == DEGREES and 0.0 < known < 0.5 * pi:
         return np.linspace(0.0, 0.5 * pi, POINTS).tolist()

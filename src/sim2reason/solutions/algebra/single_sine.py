@@ -1,4 +1,4 @@
-"""Equations with one unknown in closed form: those of a single sine, and monotonic ones."""
+"""Equations in one unknown with closed-form roots: of a single sine, and of monotonic functions."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
@@ -14,11 +14,11 @@ from sim2reason.solutions.algebra.inverse import solved_for
 from sim2reason.solutions.solution import with_unit
 from sim2reason.solutions.writing.unit_latex import DEGREES
 
-WINDOWS = (0.3, 3.0), (0.7, 1.4)  # times the unknown: where formulas are looked at, the second if they end before
-POINTS = 14
-EXACT = 1e-11  # relative: how well the values must agree
-SHOWN = 1e-9  # of the largest term: what is less has no place in an equation that is told
-MEANS = 1e-13  # of the largest coefficient: what is less is left by rounding
+WINDOWS = (0.3, 3.0), (0.7, 1.4)  # ranges relative to the unknown; the second if formulas are undefined in the first
+POINTS = 14  # samples in a range
+EXACT = 1e-11  # relative: largest singular value that counts as zero
+SHOWN = 1e-9  # relative to the largest term: smaller ones are left out of a stated equation
+MEANS = 1e-13  # relative to the largest coefficient: smaller ones are rounding errors
 
 Basis = Sequence[Expression]
 Parts = tuple[Array, Array]
@@ -26,7 +26,7 @@ Parts = tuple[Array, Array]
 
 
 def closed_root(chain: Chain, at: Symbol, unknown: str, values: Mapping[str, float]) -> ClosedRoot | None:
-    """Return the unknown for which a chain of formulas has the value of `at`; None if no closed form is found."""
+    """Return the closed-form value of an unknown at which a chain equals the symbol `at`; None if none is found."""
     target, near = values[at.name], values[unknown]
     for power, basis, (above, below), _ in _fractions(chain, unknown, values):
         found = above - target**power * below
@@ -39,7 +39,7 @@ def closed_root(chain: Chain, at: Symbol, unknown: str, values: Mapping[str, flo
 
 
 def fraction_in(chain: Chain, at: Symbol, unknown: str, values: Mapping[str, float]) -> tuple[Expression, Expression]:
-    """Return both sides of the equation whose root `closed_root` found: `at`, or its square, and a fraction."""
+    """Return both sides of the equation that `closed_root` solves: `at` or its square, and a fraction."""
     for power, basis, parts, points in _fractions(chain, unknown, values):
         sizes = np.array([max(abs(held.value({unknown: x})) for x in points.tolist()) for held in basis])
         scaled = [part / _largest(parts[1]) for part in parts]
@@ -49,9 +49,9 @@ def fraction_in(chain: Chain, at: Symbol, unknown: str, values: Mapping[str, flo
 
 
 def _fractions(chain: Chain, unknown: str, values: Mapping[str, float]) -> Iterator[tuple[int, Basis, Parts, Array]]:
-    """Yield each fraction of two sums of functions that a chain, or its square, equals at some points.
+    """Yield the fractions of linear combinations of functions that reproduce a chain, or its square, at sample points.
 
-    Of each: the power of the chain, the functions, the coefficients of both sums, and the points.
+    Each item has the power of the chain, the functions, the coefficients of both sums, and the sample points.
     """
     seen = _sampled(chain, unknown, values)
     if seen is None:
@@ -63,14 +63,14 @@ def _fractions(chain: Chain, unknown: str, values: Mapping[str, float]) -> Itera
 
 
 def _bases(x: Symbol) -> Iterator[Basis]:
-    """Yield sets of functions of the unknown of which numerator and denominator of a fraction may be sums."""
+    """Yield sets of functions of the unknown whose linear combinations may be numerator and denominator."""
     yield ONE, x
     yield ONE, Call("sin", x), Call("cos", x)
     yield ONE, x, Power(x, 2)
 
 
 def _sampled(chain: Chain, unknown: str, values: Mapping[str, float]) -> tuple[Array, Array] | None:
-    """Return points about the value of the unknown, and the values of the chain there; None where it has none."""
+    """Return sample points near the unknown's value and the chain's values there; None if it is undefined."""
     for first, last in WINDOWS:
         points = values[unknown] * np.geomspace(first, last, POINTS)
         try:
@@ -83,20 +83,22 @@ def _sampled(chain: Chain, unknown: str, values: Mapping[str, float]) -> tuple[A
 
 
 def _summed(basis: Basis, parts: Array, kept: Array) -> Expression:
-    """Return the sum of those terms of a basis that are kept, each a coefficient times a function."""
+    """Return the linear combination of the functions that are kept."""
     return summed(Number(part) * held for held, part, keeps in zip(basis, parts.tolist(), kept, strict=True) if keeps)
 
 
 def _is_shown(terms: Array) -> Array:
+    """Return which terms are large enough to be written."""
     return terms > SHOWN * terms.max()
 
 
 def _largest(parts: Array) -> float:
+    """Return the coefficient of largest magnitude."""
     return float(parts[np.abs(parts).argmax()])
 
 
 def _parts(seen: tuple[Array, Array], basis: Basis, unknown: str, power: int) -> Parts | None:
-    """Return the coefficients of both sums whose quotient has the values that were seen; None if there are none."""
+    """Return the coefficients of numerator and denominator that fit the samples; None if no fraction does."""
     points, values = seen
     columns = np.array([[held.value({unknown: x}) for held in basis] for x in points.tolist()])
     whole = np.hstack([columns, -(values**power)[:, None] * columns])
@@ -110,13 +112,13 @@ def _parts(seen: tuple[Array, Array], basis: Basis, unknown: str, power: int) ->
     return above, below
 
 
-SPAN, SAMPLES, LEAST = 1e3, 160, 20  # times the symbol's value and one over it; places, and how many must have values
+SPAN, SAMPLES, LEAST = 1e3, 160, 20  # ratio of largest value to the known one; samples; least number of defined ones
 
 
 def trend(formula: Expression, name: str, values: Mapping[str, float]) -> str:
-    """Return ``increases`` or ``decreases`` if a formula does so at all places that are tried, else nothing.
+    """Return ``increases`` or ``decreases`` if a formula is monotonic in a symbol at all samples, else "".
 
-    Places of the sign of the symbol's value are tried; the formula may have values at some of them alone.
+    Samples have the sign of the symbol's value; the formula may be undefined at some of them.
     """
     found: list[float] = []
     for place in (values[name] * np.geomspace(1.0 / SPAN, SPAN, SAMPLES)).tolist():
@@ -157,7 +159,7 @@ def beyond_right_angle(others: Sequence[float], value: float) -> str:
 
 
 def _signed(held: Expression) -> tuple[float, Call] | None:
-    """Return the sign of a term ± f(…) and the function without it; None for other terms."""
+    """Return the sign and the function of a term ± f(…); None for other terms."""
     match held:
         case Call():
             return 1.0, held

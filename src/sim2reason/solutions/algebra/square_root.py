@@ -1,4 +1,4 @@
-"""Square roots of polynomials that are squares."""
+"""Square roots of polynomials that are perfect squares."""
 
 import math
 from collections.abc import Mapping
@@ -6,11 +6,11 @@ from itertools import product
 
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
 
-SUMMANDS = 5  # of a length along a line, at most
+SUMMANDS = 5  # terms of the root, at most
 
 
 def square_root(inside: Polynomial, at: Mapping[str, float]) -> Polynomial | None:
-    """Return what a polynomial is the square of, positive `at` known values; None if it is no square."""
+    """Return the square root of a polynomial, positive for the known values `at`; None if it is no perfect square."""
     plain = [(m, part) for m, part in inside.terms.items() if part > 0.0 and all(power % 2 == 0 for _, power in m)]
     if not 1 <= len(plain) <= SUMMANDS:
         return None

@@ -1,4 +1,4 @@
-"""Standard forms of equations, and formulas rewritten as one fraction or by powers of a symbol."""
+"""Standard forms of equations, and formulas as one fraction or as powers of a symbol."""
 
 from collections.abc import Callable, Iterator
 from functools import reduce
@@ -33,7 +33,7 @@ def stated_equation(
 ) -> tuple[Expression, Expression] | None:
     """Reduce an equation to a x² + b x = c or a sin x + b cos x = c; return both sides, or None if it is neither.
 
-    The first may also be one in the sine or in the cosine of x.
+    In the first form, x may also be the sine or the cosine of the symbol.
     """
     try:
         zero = without_radicals((fraction(atoms_worked(formula, name)) + fraction(-value)).above, name)
@@ -63,9 +63,9 @@ def stated_equation(
 
 
 def tidied(formula: Expression, name: str, *, always: bool = False) -> Expression:
-    """Return a formula of a symbol as one fraction, under its square root if it is one, where that is shorter.
+    """Return a formula of a symbol as one fraction if that is shorter; a square root keeps the fraction under it.
 
-    With `always` it is one fraction however long that is, with a number that all its terms share in front.
+    With `always` it is one fraction of any length, with the common number of all terms in front.
     """
     if isinstance(formula, Root):
         return Root(tidied(formula.inside, name))
@@ -74,13 +74,13 @@ def tidied(formula: Expression, name: str, *, always: bool = False) -> Expressio
         found = over(*_sides(fraction(atoms_worked(plain, name))), grouped=always)
     except OverflowError:
         return plain
-    again = _without_squared_roots(found)  # of roots whose other terms have cancelled
+    again = _without_squared_roots(found)  # squares of roots may appear once other terms have cancelled
     found = tidied(again, name) if again != found else found
     return found if always or len(found.latex()) < len(plain.latex()) else plain
 
 
 def as_power(formula: Expression, name: str, worked: Callable[[Expression], Expression]) -> Expression | None:
-    """Return a formula that is proportional to a power of a symbol as a number times that power; None for others."""
+    """Return a formula proportional to a power of a symbol as a number times that power; None for others."""
     try:
         above, below = _sides(fraction(atoms_worked(_without_squared_roots(formula), name)))
     except OverflowError:
@@ -96,14 +96,14 @@ def as_power(formula: Expression, name: str, worked: Callable[[Expression], Expr
 
 
 def doubled(formula: Expression, found: Expression, name: str) -> bool:
-    """Return whether an angle was found by its double, from the squares of its sine and cosine."""
+    """Return whether an angle is found as half of a double angle, from the squares of its sine and cosine."""
     squares = {Power(Call(function, Symbol(name)), 2) for function in ("sin", "cos")}
     halved = isinstance(found, Quotient) and found.below == Number(2.0)
     return halved and any(part in squares for part in _parts(formula))
 
 
 def half_angles(name: str) -> list[tuple[Expression, Expression]]:
-    """Return the equations that give the squares of the cosine and of the sine of an angle by its double."""
+    """Return the half-angle formulas: pairs of cos² or sin² of an angle and its value by the double angle."""
     twice = Call("cos", multiplied(Number(2.0), Symbol(name)))
     halves = (added(ONE, twice), added(ONE, -twice))
     squares = (Power(Call("cos", Symbol(name)), 2), Power(Call("sin", Symbol(name)), 2))
@@ -111,13 +111,14 @@ def half_angles(name: str) -> list[tuple[Expression, Expression]]:
 
 
 def _parts(held: Expression) -> Iterator[Expression]:
+    """Yield a formula and all of its subexpressions."""
     yield held
     for part in held.parts:
         yield from _parts(part)
 
 
 def _without_squared_roots(held: Expression) -> Expression:
-    """Return a formula with x in place of the square of the root of x."""
+    """Replace squares of square roots by their radicands."""
     if not held.parts:
         return held
     held = held.built_of([_without_squared_roots(part) for part in held.parts])
@@ -132,4 +133,5 @@ def _without_squared_roots(held: Expression) -> Expression:
 
 
 def _sides(held: Fraction) -> tuple[Polynomial, Polynomial]:
+    """Return the numerator and the expanded denominator of a fraction."""
     return held.above, reduce(mul, held.below, Polynomial.of(1.0))

@@ -1,4 +1,4 @@
-"""Formulas as prefix trees of JSON values, such as ``["+", ["*", "m", "g"], 3.0]``: strings are symbols."""
+"""Formulas as prefix trees of JSON values, such as ``["+", ["*", "m", "g"], 3.0]``; strings are symbols."""
 
 from functools import singledispatch
 from typing import TypeAlias
@@ -20,7 +20,7 @@ Tree: TypeAlias = float | str | list["Tree"]
 
 @singledispatch
 def tree(held: Expression) -> Tree:
-    """Write a formula as a tree; TypeError for a class of formulas that has none."""
+    """Convert a formula to a prefix tree; TypeError for a class without a tree."""
     raise TypeError(f"{type(held).__name__} has no tree; register one in {__name__}")
 
 
@@ -92,19 +92,20 @@ def _(held: Amplitude) -> Tree:
 
 @tree.register
 def _(held: Worked) -> Tree:
-    """Keep the number that the text shows, so that it can be compared with the formula."""
+    """Keep the number in the text beside its formula, so that both can be compared."""
     return ["worked", tree(held.inner), float(held.comes_to)]
 
 
 @tree.register
 def _(held: NumericRoot) -> Tree:
-    """State the equation and the root to the digits that the text shows.
+    """Write the equation and its root, rounded as in the text.
 
-    Where formulas that stand in earlier relations were put into each other, those relations are the equation.
+    For a chain of formulas in earlier relations, those relations are the equation.
     """
     near = shortened(held.near)
     return ["solve", near] if _has_chain(held.residual) else ["root", held.name, tree(held.residual), near]
 
 
 def _has_chain(held: Expression) -> bool:
+    """Return whether a formula contains a chain."""
     return isinstance(held, Chain) or any(map(_has_chain, held.parts))

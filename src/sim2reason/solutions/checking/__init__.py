@@ -1,7 +1,7 @@
-"""An independent check of worked solutions: the answer recomputed from their data, and nothing left unstated.
+"""Independent verification of worked solutions: the answer is recomputed from their stated data alone.
 
-The data are JSON values, in which formulas are prefix trees, see `trees`. Nothing here shares code with what writes
-solutions, nor with the engines.
+The data are JSON values, in which formulas are prefix trees, see `trees`. This package shares no code with the writers
+of solutions or with the engines.
 """
 
 from sim2reason.solutions.checking.recompute import Recomputed, recompute

@@ -1,7 +1,7 @@
 """Initial-value problems by collocation: in each step the state is a polynomial through Chebyshev points.
 
 Its derivative is that of the equations at all points, found by Picard iteration (C. W. Clenshaw and H. J. Norton, The
-Computer Journal 6, 1963). The engines use Runge–Kutta methods; this one shares nothing with them.
+Computer Journal 6, 1963). The engines use Runge–Kutta methods instead.
 """
 
 from collections.abc import Callable, Iterator
@@ -19,20 +19,20 @@ DEGREE = 16
 NODES: Array = -np.cos(np.pi * np.arange(DEGREE + 1) / DEGREE)
 COEFFICIENTS: Array = np.asarray(
     np.linalg.inv(chebyshev.chebvander(NODES, DEGREE)), dtype=np.float64
-)  # from values at the nodes
+)  # Chebyshev coefficients from values at the nodes
 INTEGRALS: Array = (
     chebyshev.chebvander(NODES, DEGREE + 1) @ chebyshev.chebint(np.eye(DEGREE + 1), lbnd=-1) @ COEFFICIENTS
-)  # from -1 to each node
-TOLERANCE = 1e-13  # relative: the last coefficients of the state in a step
-SETTLED, CLOSE = 2e-15, 1e-12  # relative: changes by which an iteration ends at once, or if they grow no smaller
+)  # integrals from -1 to each node
+TOLERANCE = 1e-13  # relative: largest final coefficients of the state in a step
+SETTLED, CLOSE = 2e-15, 1e-12  # relative changes at which an iteration ends: at once; if it stalls
 ITERATIONS = 40
-LEAST = 1e-3  # of the largest place or rate, or in SI units: in a smaller one errors count as in one of that size
-FIRST, SHORTEST = 1e-2, 1e-13  # s; relative to the first
+LEAST = 1e-3  # error scale: relative to the largest coordinate or rate, or in SI units, whichever is larger
+FIRST, SHORTEST = 1e-2, 1e-13  # first step, s; shortest step, relative to the first
 
 
 @dataclass(frozen=True, slots=True)
 class Piece:
-    """One step: where it begins, how long it is, and the state at the nodes, (nodes, n)."""
+    """One integration step: its begin and length, in s, and the states at the nodes, (nodes, n)."""
 
     begin: float
     length: float
@@ -40,7 +40,7 @@ class Piece:
 
     @property
     def times(self) -> Array:
-        """Those of the nodes."""
+        """Return the times of the nodes, s, (nodes,)."""
         return self.begin + 0.5 * self.length * (NODES + 1.0)
 
     def state(self, time: float) -> Array:
@@ -50,19 +50,19 @@ class Piece:
 
 
 def tail(values: Array) -> Array:
-    """Return how large the last coefficients of polynomials are, given by their values at the nodes, (nodes, n)."""
+    """Return the size of the last Chebyshev coefficients, (n,), of polynomials given at the nodes, (nodes, n)."""
     return np.abs(COEFFICIENTS[-2:] @ values).sum(axis=0)
 
 
 def pieces(slope: Slope, begin: float, start: Array, count: int, fits: Callable[[Piece], bool]) -> Iterator[Piece]:
-    """Integrate step by step; end where steps become too short or the state infinite.
+    """Yield integration steps; stop if steps become too short or the state infinite.
 
     Args:
         slope: the time derivatives of states, (m, n), at times, (m,).
-        begin: when the motion begins, s.
-        start: the state then, (n,): places, as many rates, and sums.
-        count: the number of places.
-        fits: whether what depends on the state is a polynomial in a step, too; else a shorter one is taken.
+        begin: the initial time, s.
+        start: the initial state, (n,): coordinates, their rates, and integrals.
+        count: the number of coordinates.
+        fits: returns whether functions of the state are polynomials within a step, too; if not, it is shortened.
     """
     length, time, state = FIRST, begin, start
     while length > SHORTEST * max(FIRST, abs(time)):
@@ -78,9 +78,9 @@ def pieces(slope: Slope, begin: float, start: Array, count: int, fits: Callable[
 
 
 def state_at(slope: Slope, piece: Piece, time: float, count: int) -> Array:
-    """Return the state at a time in a step, (n,), from a step that ends there.
+    """Return the state at a time within a step, (n,), by an integration that ends at that time.
 
-    Rates may have a kink at that time, as the rate of a path has where the speed is zero.
+    Rates may have a kink at that time, as the rate of a path length has at zero speed.
     """
     begin, length = piece.state(piece.begin), time - piece.begin
     if length <= SHORTEST * piece.length:
@@ -90,7 +90,7 @@ def state_at(slope: Slope, piece: Piece, time: float, count: int) -> Array:
 
 
 def _sizes(states: Array, count: int) -> Array:
-    """By how much errors of places, rates and sums count, (n,)."""
+    """Return the error scales of coordinates, rates and integrals, (n,)."""
     sizes = np.maximum(np.abs(states).max(axis=0), LEAST)
     for group in (slice(0, count), slice(count, 2 * count)):
         sizes[group] = np.maximum(sizes[group], LEAST * sizes[group].max(initial=0.0))
@@ -98,7 +98,7 @@ def _sizes(states: Array, count: int) -> Array:
 
 
 def _step(slope: Slope, piece: Piece, start: Array, count: int) -> Piece | None:
-    """Iterate until the derivative fits at all nodes; None if that does not settle."""
+    """Iterate until the derivative matches at all nodes; return None if the iteration does not converge."""
     states, times, last = piece.states, piece.times, np.inf
     for _ in range(ITERATIONS):
         try:

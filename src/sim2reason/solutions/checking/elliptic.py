@@ -1,4 +1,4 @@
-"""Elliptic integrals of the first kind and Jacobi's amplitude, by Gauss's quadrature, with their derivatives."""
+"""Elliptic integrals of the first kind and Jacobi's amplitude by Gaussian quadrature, with derivatives."""
 
 import math
 from itertools import pairwise
@@ -6,7 +6,7 @@ from itertools import pairwise
 import numpy as np
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(20)
-HALVINGS = 40  # of the distance from a right angle, near which the integrand varies fast if the modulus is close to 1
+HALVINGS = 40  # bisections of the distance to 90°, where the integrand varies fast for moduli close to 1
 ITERATIONS = 60  # of Newton's method
 CONVERGED = 1e-15  # relative
 Derived = tuple[float, tuple[float, ...]]
@@ -14,13 +14,13 @@ Derived = tuple[float, tuple[float, ...]]
 
 
 def complete(modulus: float) -> Derived:
-    """K(k), ∫ dθ/√(1 − k² sin² θ) up to a right angle; ValueError unless 0 ≤ k < 1."""
+    """Return K(k) = ∫ dθ/√(1 − k² sin² θ) from 0 to 90° and its derivative; ValueError unless 0 ≤ k < 1."""
     value, (_, slope) = incomplete(0.5 * math.pi, modulus)
     return value, (slope,)
 
 
 def incomplete(angle: float, modulus: float) -> Derived:
-    """F(θ, k), the same integral up to an angle in radians; ValueError unless 0 ≤ k < 1."""
+    """Return F(θ, k), the integral up to an angle in radians, and its derivatives; ValueError unless 0 ≤ k < 1."""
     if not 0.0 <= modulus < 1.0:
         raise ValueError(f"an elliptic integral of the modulus {modulus:g}")
     turns = round(angle / math.pi)
@@ -36,7 +36,7 @@ def incomplete(angle: float, modulus: float) -> Derived:
 
 
 def amplitude(integral: float, modulus: float) -> Derived:
-    """am(u, k), the angle θ in radians with F(θ, k) = u, by Newton's method; ValueError unless 0 ≤ k < 1."""
+    """Return am(u, k), the angle in radians with F(θ, k) = u, by Newton's method; ValueError unless 0 ≤ k < 1."""
     quarter, _ = complete(modulus)
     angle = 0.5 * math.pi * integral / quarter
     for _ in range(ITERATIONS):
@@ -50,7 +50,7 @@ def amplitude(integral: float, modulus: float) -> Derived:
 
 
 def _quadrature(angle: float, modulus: float) -> tuple[float, float]:
-    """Return the integral up to an angle of at most 90°, and its derivative by the modulus."""
+    """Return the integral up to an angle of at most 90°, and its derivative with respect to the modulus."""
     ends = [0.5 * math.pi * (1.0 - 0.5**n) for n in range(HALVINGS)]
     places = [end for end in ends if end < angle] + [angle]
     value, slope = 0.0, 0.0

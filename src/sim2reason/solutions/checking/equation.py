@@ -1,4 +1,4 @@
-"""Relations of a solution as trees, and linear equations whose coefficients change with time."""
+"""Relations of a solution as trees, and linear equations with time-dependent coefficients."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -19,13 +19,13 @@ from sim2reason.solutions.checking.trees import (
     written,
 )
 
-WELL = 1e-9  # relative to the largest term: how well a relation must hold
-ROUNDING = 1e-13  # in SI units: what rounding leaves of numbers that cancel
+WELL = 1e-9  # relative to the largest term: largest difference of the two sides
+ROUNDING = 1e-13  # in SI units: largest rounding error of numbers that cancel
 
 
 @dataclass(frozen=True, eq=False)
 class Equation:
-    """A relation with its role, and the symbols in it."""
+    """A relation of two trees, with its role and symbols."""
 
     left: Tree
     right: Tree
@@ -34,7 +34,7 @@ class Equation:
 
     @classmethod
     def of(cls, left: Tree, right: Tree, role: str = "law") -> "Equation":
-        """Collect the symbols of both sides."""
+        """Return the relation of two trees with the symbols of both."""
         return cls(left, right, role, frozenset(symbols(left)) | frozenset(symbols(right)))
 
     def __str__(self) -> str:
@@ -43,18 +43,18 @@ class Equation:
 
     @property
     def near(self) -> float | None:
-        """The number close to which all earlier relations determine the left side, if that is what it says."""
+        """Return the approximate value that the relation states for an implicit symbol; None for other relations."""
         if isinstance(self.right, list) and self.right[0] == "solve":
             return float(self.right[1])  # type: ignore[arg-type]
         return None
 
     @property
     def asserts(self) -> bool:
-        """Whether it only says which number follows for a name, so that it can be verified but gives no value."""
+        """Return whether the relation only states a value that follows from others: it can be verified, not used."""
         return self.role != "law" and not isinstance(self.right, str | list) and isinstance(self.left, str)
 
     def definition(self, name: str) -> Tree | None:
-        """The formula of a name that stands alone on one side; None if it does not, or if the other side has it."""
+        """Return the formula of a symbol alone on one side; None if the other side contains it, too."""
         if self.asserts:
             return None
         for side, other in ((self.left, self.right), (self.right, self.left)):
@@ -63,28 +63,28 @@ class Equation:
         return None
 
     def excess(self, at: Values) -> float:
-        """Left less right."""
+        """Return the left side minus the right side."""
         return value(self.left, at) - value(self.right, at)
 
     def holds(self, at: Values) -> bool:
-        """Return whether both sides agree, compared with the largest of their terms."""
+        """Return whether both sides agree relative to their largest term."""
         return abs(self.excess(at)) <= WELL * max(size(self.left, at), size(self.right, at)) + ROUNDING
 
     def slopes(self, at: Values) -> tuple[float, Mapping[str, float]]:
-        """Left less right, and its partial derivatives by the symbols."""
+        """Return left minus right, and its partial derivatives with respect to the symbols."""
         (one, found), (other, right) = derivatives(self.left, at), derivatives(self.right, at)
         for name, slope in right.items():
             found[name] = found.get(name, 0.0) - slope
         return one - other, found
 
 
-CONSISTENT = 1e-8  # relative: what more equations than unknowns may contradict each other
-RANK = 1e-11  # relative: singular values below it are taken as zero
+CONSISTENT = 1e-8  # relative: largest contradiction of redundant equations
+RANK = 1e-11  # relative: smaller singular values count as zero
 UNDETERMINED = "the equations of motion do not determine accelerations and forces"
 
 
 def separated(tree: Tree, unknowns: frozenset[str]) -> dict[str, Tree]:
-    """Find the coefficients of unknowns, the rest under the empty name; TreeError if a tree is not linear in them."""
+    """Return the coefficients of the unknowns, and the rest under the empty name; TreeError if it is not linear."""
     if isinstance(tree, str) and tree in unknowns:
         return {tree: 1.0}
     if unknowns.isdisjoint(symbols(tree)):
@@ -105,6 +105,7 @@ def separated(tree: Tree, unknowns: frozenset[str]) -> dict[str, Tree]:
 
 
 def _summed(parts: Sequence[Mapping[str, Tree]]) -> dict[str, Tree]:
+    """Return the sum of several linear forms."""
     found: dict[str, list[Tree]] = {}
     for part in parts:
         for name, held in part.items():
@@ -113,10 +114,10 @@ def _summed(parts: Sequence[Mapping[str, Tree]]) -> dict[str, Tree]:
 
 
 class LinearSystem:
-    """Equations that determine accelerations and forces at each of several instants."""
+    """Linear equations for accelerations and forces, solved at several instants at once."""
 
     def __init__(self, equations: Sequence[Equation], unknowns: Sequence[str]) -> None:
-        """Separate coefficients; TreeError if an equation is not linear or there are too few."""
+        """Find the coefficients; TreeError if an equation is not linear or there are too few."""
         self.unknowns = tuple(unknowns)
         if len(equations) < len(unknowns):
             raise TreeError(f"{len(equations)} equations for {len(unknowns)} accelerations and forces")
@@ -129,7 +130,7 @@ class LinearSystem:
             self._entries += [(row, place[name], compiled_for_many(part)) for name, part in parts.items()]
 
     def _filled(self, at: Mapping[str, float | Array], count: int) -> tuple[Array, Array]:
-        """Return the matrices and right sides of some instants, (count, rows, unknowns) and (count, rows, 1)."""
+        """Return the matrices, (count, rows, unknowns), and the right sides, (count, rows, 1), at several instants."""
         matrix = np.zeros((count, len(self._rests), len(self.unknowns)))
         right = np.zeros((count, len(self._rests), 1))
         for row, column, evaluate in self._entries:
@@ -139,7 +140,7 @@ class LinearSystem:
         return matrix, right
 
     def solve(self, at: Mapping[str, float | Array], count: int) -> dict[str, Array]:
-        """Return the unknowns at some instants; ArithmeticError if the equations do not determine them."""
+        """Return the unknowns, (count,) each, at several instants; ArithmeticError if they are not determined."""
         matrix, right = self._filled(at, count)
         try:
             if matrix.shape[1] == 1:
@@ -153,7 +154,7 @@ class LinearSystem:
         return {name: np.asarray(found[:, number, 0], dtype=np.float64) for number, name in enumerate(self.unknowns)}
 
     def examine(self, at: Mapping[str, float | Array]) -> None:
-        """Raise ArithmeticError unless the equations have full rank and no contradiction at one instant."""
+        """Raise ArithmeticError unless the equations at one instant have full rank and are consistent."""
         (matrix,), (right,) = self._filled(at, 1)
         if not self.unknowns:
             return

@@ -1,4 +1,4 @@
-"""Integration of a phase from the stated equations, initial values and end."""
+"""Integration of a phase from its stated equations, initial values and end condition."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice, pairwise
@@ -24,7 +24,7 @@ from sim2reason.solutions.checking.trees import (
 
 
 class Instant:
-    """The values of all symbols of a phase, brought to one instant after another."""
+    """The values of all symbols of a phase at one or several instants."""
 
     def __init__(self, data: Mapping[str, Any], known: Mapping[str, float]) -> None:
         """Separate definitions from equations of motion; TreeError if a symbol has no value."""
@@ -52,7 +52,7 @@ class Instant:
             raise TreeError(f"{', '.join(sorted(left))} has no value in the equations of motion")
 
     def _definitions(self, waiting: list[Equation], state: set[str]) -> list[tuple[str, EvaluateAll]]:
-        """Return the names that equations define by the state alone, in order; those equations wait no more."""
+        """Return the symbols defined by the state alone, in order of evaluation, and remove their equations."""
         found, known = list[tuple[str, EvaluateAll]](), state | self.at.keys()
         while True:
             for equation in waiting:
@@ -71,54 +71,54 @@ class Instant:
                 return found
 
     def _defined_by_unknowns(self, waiting: Sequence[Equation], unknowns: Sequence[str]) -> list[str]:
-        """The further names that equations define by accelerations and forces: they are unknowns as those are."""
+        """Return further symbols defined by accelerations and forces, to be solved for together with them."""
         known = {*self.names, *self.at, *(name for name, _ in self._before), *unknowns}
         return [str(e.left) for e in waiting if isinstance(e.left, str) and e.left not in known]
 
     def move(self, times: Array, states: Array) -> None:
-        """Give all symbols but accelerations and forces their values at some times, (m,), in states, (m, n)."""
+        """Set all symbols except accelerations and forces at several times, (m,), and states, (m, n)."""
         self.at[self.time] = times
         self.at.update(zip((*self.places, *self.rates, *self.sums), states.T, strict=True))
         for name, evaluate in self._before:
             self.at[name] = evaluate(self.at)
 
     def accelerate(self) -> list[Array]:
-        """Solve the equations of motion; give back the accelerations."""
+        """Solve the equations of motion and return the accelerations."""
         self.at.update(self._system.solve(self.at, len(np.atleast_1d(self.at[self.time]))))
         return [np.asarray(self.at[name]) for name in self._accelerations]
 
     def examine(self) -> None:
-        """Raise ArithmeticError unless the equations of motion determine accelerations and forces at the one time."""
+        """Raise ArithmeticError unless the equations of motion determine accelerations and forces at the instant."""
         self._system.examine(self.at)
 
 
-SMOOTH, TINY = 1e-8, 1e-14  # how large the last coefficients of a condition may be: relative, absolute
-TRIMMED, REAL = 1e-13, 1e-6  # relative: coefficients that count; the imaginary part of a real zero
-ZERO = 1e-9  # relative to the largest coefficient of a condition in the first step: what is zero at the beginning
-NARROW, RESTING = 1e-9, 1e-4  # parts of a step in which signs are not trusted; where it begins with such a zero
-ROUNDING = 1e-12  # relative to the largest term of a condition: a value of which the sign is not trusted
-SIZE, MOST = 40, 10_000  # coordinates and unknowns; occurrences of an event
+SMOOTH, TINY = 1e-8, 1e-14  # largest final Chebyshev coefficients of a condition: relative, absolute
+TRIMMED, REAL = 1e-13, 1e-6  # relative: smallest coefficient that counts; largest imaginary part of a real root
+ZERO = 1e-9  # relative to the largest coefficient of a condition in the first step: a zero at the start
+NARROW, RESTING = 1e-9, 1e-4  # fractions of a step with untrusted signs: between zeros, after one at the start
+ROUNDING = 1e-12  # relative to the largest term of a condition: the sign of smaller values is not trusted
+SIZE, MOST = 40, 10_000  # most coordinates or unknowns; most occurrences of an event
 ENDLESS = "a phase does not come to the end that is stated"
 
 
 class PhaseError(ValueError):
-    """A phase that can't be integrated, or does not end; the message says why."""
+    """An error raised for a phase that cannot be integrated or does not end; the message has the reason."""
 
 
 class Sample(NamedTuple):
-    """An instant, and what the condition of the end has then."""
+    """A time, in s, and the value of the end condition at it."""
 
     time: float
     excess: float
 
 
 def integrate(data: Mapping[str, Any], known: Mapping[str, float], steps: int) -> tuple[dict[str, float], int]:
-    """Integrate a phase; give back the values of the names in its `ends` and the number of steps.
+    """Integrate a phase; return the values of the names in its `ends` and the number of steps.
 
     Args:
         data: the `Integration` of a step as JSON values.
-        known: the values of the names that are known before.
-        steps: how many steps may be taken.
+        known: the values of the names known before the phase.
+        steps: the largest number of steps.
 
     Raises:
         PhaseError: something is not stated, the equations do not determine the motion, or it does not end.
@@ -134,7 +134,7 @@ def integrate(data: Mapping[str, Any], known: Mapping[str, float], steps: int) -
 
 
 def _check(data: Mapping[str, Any]) -> None:
-    """Refuse what is too large, or no formula."""
+    """Raise TreeError if a phase is too large or contains an invalid tree."""
     if max(len(data[part]) for part in ("coordinates", "unknowns", "equations", "accumulated", "ends")) > SIZE:
         raise TreeError("a phase is too large")
     if not data["coordinates"] and not data["accumulated"]:
@@ -147,11 +147,11 @@ PARTS = {
     "equations": ("left", "right"),
     "coordinates": ("initial_place", "initial_rate"),
     "accumulated": ("rate", "initial"),
-}  # where formulas stand in the data of a phase
+}  # fields of a phase that contain formulas
 
 
 def formulas(data: Mapping[str, Any]) -> Iterator[Tree]:
-    """Go through all trees in the data of a phase."""
+    """Yield all trees in the data of a phase."""
     yield data["begin"]
     yield data["until"]["expression"]
     for part, names in PARTS.items():
@@ -160,7 +160,7 @@ def formulas(data: Mapping[str, Any]) -> Iterator[Tree]:
 
 
 class _Phase:
-    """One phase while it is integrated."""
+    """The integration of one phase up to its end."""
 
     def __init__(self, data: Mapping[str, Any], known: Mapping[str, float]) -> None:
         self._instant, self._ends = Instant(data, known), data["ends"]
@@ -179,7 +179,7 @@ class _Phase:
         self._held: list[Piece] = []  # the last two pieces
 
     def _slope(self, times: Array, states: Array) -> Array:
-        """Return the time derivatives of states: of places, rates, sums."""
+        """Return the time derivatives, (m, n), of coordinates, rates and integrals."""
         instant, count = self._instant, len(self._instant.places)
         instant.move(times, states)
         found = np.empty_like(states)
@@ -191,7 +191,7 @@ class _Phase:
         return found
 
     def _excess(self, times: Array, states: Array) -> Array:
-        """Return what the condition of the end has at some instants."""
+        """Return the values of the end condition, (m,), at several instants."""
         self._instant.move(times, states)
         if self._needs_forces:
             self._instant.accelerate()
@@ -201,20 +201,20 @@ class _Phase:
         return float(self._excess(np.array([time]), self._state(time))[0])
 
     def _piece(self, time: float) -> Piece:
-        """Return that of the last two pieces in which a time lies."""
+        """Return the one of the last two steps that contains a time."""
         return self._held[-1] if time >= self._held[-1].begin else self._held[0]
 
     def _state(self, time: float) -> Array:
-        """Return the state at a time in one of the last two pieces, (1, n)."""
+        """Return the state at a time in one of the last two steps, (1, n)."""
         return self._piece(time).state(time)[None]
 
     def _fits(self, piece: Piece) -> bool:
-        """Return whether the condition is a polynomial within a step."""
+        """Return whether the end condition is a polynomial within a step, to the accuracy needed."""
         values = self._excess(piece.times, piece.states)
         return bool(tail(values[:, None])[0] <= SMOOTH * np.abs(values).max() + TINY)
 
     def run(self, steps: int) -> tuple[dict[str, float], int]:
-        """Step until the condition has been zero as often as it must."""
+        """Integrate until the end condition has crossed zero as often as stated; return end values and step count."""
         count = len(self._instant.places)
         self._slope(np.array([self._begin]), self._start[None])
         self._instant.examine()
@@ -231,7 +231,7 @@ class _Phase:
         raise TreeError(ENDLESS)
 
     def _between_zeros(self, piece: Piece, *, first: bool) -> Iterator[Sample]:
-        """Instants of a step between the zeros of the condition, one between every two of them."""
+        """Yield one sample of the end condition between every two of its zeros in a step."""
         coefficients = COEFFICIENTS @ self._excess(piece.times, piece.states)
         large = np.abs(coefficients).max()
         if not np.isfinite(large):
@@ -250,11 +250,11 @@ class _Phase:
                 yield Sample(time, excess)
 
     def _largest_term(self) -> float:
-        """Return that of the condition, at the instant that was looked at last."""
+        """Return the magnitude of the largest term of the end condition at the last instant evaluated."""
         return max(abs(float(np.ravel(term(self._instant.at))[0])) for term in self._terms)
 
     def _found(self, time: float) -> dict[str, float]:
-        """Return the values at the end, by the names that they get."""
+        """Return the values at the end under their names in `ends`."""
         state = state_at(self._slope, self._piece(time), time, len(self._instant.places))
         self._slope(np.array([time]), state[None])
         self._instant.examine()

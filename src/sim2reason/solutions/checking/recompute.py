@@ -15,20 +15,20 @@ from sim2reason.solutions.checking.trees import ROUGH, TreeError, check, symbols
 
 Array: TypeAlias = npt.NDArray[np.float64]
 
-FAINT = 1e-8  # relative: what a combination of laws may leave of a row that it ought to give
-RANK = 1e-12  # relative: singular values below it are taken as zero
+FAINT = 1e-8  # relative: largest residual of a row that depends linearly on others
+RANK = 1e-12  # relative: smaller singular values count as zero
 LAW = "law"
 
 
 def undetermined(
     equations: Sequence[Equation], known: frozenset[str], values: Mapping[str, float], needed: Sequence[str]
 ) -> Iterator[str]:
-    """Yield what the laws among some equations do not determine, or does not follow from them, in words.
+    """Yield messages for symbols that the laws do not determine and for relations that do not follow from them.
 
     Args:
-        equations: all relations but those that only verify something, at whose names' `values` they hold.
+        equations: all relations that hold for the `values`, except those that only verify something.
         known: the names that no law needs to determine.
-        values: of all names.
+        values: the values of all names.
         needed: the names that the laws must determine.
     """
     names = sorted({name for equation in equations for name in equation.names} - known)
@@ -45,7 +45,7 @@ def undetermined(
 
 
 def _row(equation: Equation, values: Mapping[str, float], place: Mapping[str, int], sizes: Array) -> Array:
-    """By relative changes, so that what is large and what is small weigh alike."""
+    """Return the scaled gradient of an equation, (n,), with respect to relative changes of the symbols."""
     row = np.zeros(len(place))
     _, slopes = equation.slopes(values)
     for name, slope in slopes.items():
@@ -57,7 +57,7 @@ def _row(equation: Equation, values: Mapping[str, float], place: Mapping[str, in
 
 
 def _basis(rows: Sequence[Array], width: int) -> Array:
-    """Return an orthonormal basis of what rows span, one vector a row."""
+    """Return an orthonormal basis of the row space, one vector a row."""
     if not rows or not width:
         return np.zeros((0, width))
     _, sizes, ways = np.linalg.svd(np.array(rows), full_matrices=False)
@@ -65,15 +65,15 @@ def _basis(rows: Sequence[Array], width: int) -> Array:
 
 
 def _spanned(basis: Array, row: Array) -> bool:
-    """Return whether a row is a combination of those of a basis."""
+    """Return whether a row is a linear combination of basis vectors."""
     return bool(np.abs(row - basis.T @ (basis @ row)).max(initial=0.0) <= FAINT * np.abs(row).max(initial=0.0))
 
 
 @dataclass(frozen=True, slots=True)
 class Recomputed:
-    """The answer to which the data of a solution leads, in the unit of the question, and what is wrong with it.
+    """The answer that follows from the data of a solution, in the unit of the question, and the faults of the data.
 
-    `values` are those of all names that have one.
+    `values` has the values of all names that have one.
     """
 
     answer: float | None
@@ -81,12 +81,12 @@ class Recomputed:
     values: Mapping[str, float] = field(default_factory=dict[str, float])
 
     def agrees(self, answer: float, within: float) -> bool:
-        """Return whether there is no fault, and the answer is another one but for a relative deviation."""
+        """Return whether there are no faults and the answer agrees with another one `within` a relative tolerance."""
         return not self.faults and self.answer is not None and abs(self.answer - answer) <= within * abs(answer)
 
 
-FOUND = 1e-13  # relative: how well the unknown is found
-FULFILLED = 1e-9  # relative: how well the result then comes out, which excludes that it jumps there
+FOUND = 1e-13  # relative accuracy of the unknown
+FULFILLED = 1e-9  # relative: largest deviation of the result, which excludes a jump at the unknown
 TRIAL, CONDITION = "trial", "condition"  # roles of relations
 
 Reader = Callable[[Mapping[str, Any]], Recomputed]
@@ -105,6 +105,7 @@ def sought(data: Mapping[str, Any]) -> tuple[str, float] | None:
 
 
 def _of_role(data: Mapping[str, Any], role: str) -> list[tuple[str, float]]:
+    """Return the left names and the values of all relations of a role."""
     relations = [held for step in data["steps"] for held in step["relations"] if held["role"] == role]
     return [(str(held["left"]), float(held["right"])) for held in relations]
 
@@ -112,10 +113,10 @@ def _of_role(data: Mapping[str, Any], role: str) -> list[tuple[str, float]]:
 def by_trial(data: Mapping[str, Any], unknown: tuple[str, float], read: Reader) -> Recomputed:
     """Recompute a solution that finds an unknown by trial.
 
-    `read` recomputes the result that is given from data in which the unknown is a given.
+    `read` recomputes the given result from data in which the unknown is given instead.
 
     Raises:
-        TreeError: no result is given, or none that comes out for a value close to the stated one.
+        TreeError: no result is given, or no value close to the stated one leads to it.
     """
     (name, near), conditions = unknown, _of_role(data, CONDITION)
     if len(conditions) != 1:
@@ -143,7 +144,7 @@ def by_trial(data: Mapping[str, Any], unknown: tuple[str, float], read: Reader) 
 
 
 def _with(data: Mapping[str, Any], name: str, value: float, goal: str) -> dict[str, Any]:
-    """Return the data of the forward problem: the unknown is a given, and the result is the goal."""
+    """Return the data of the forward problem, in which the unknown is given and the result is the goal."""
     steps = [
         {**step, "relations": [held for held in step["relations"] if held["role"] not in (TRIAL, CONDITION)]}
         for step in data["steps"]
@@ -158,18 +159,18 @@ def _with(data: Mapping[str, Any], name: str, value: float, goal: str) -> dict[s
     }
 
 
-COMPARED = "exceeds"  # the role of relations whose left side is the larger one
-STATED = "law", "derived", "result", "verified"  # the roles of relations that are equations
-STEPS = 1000  # of all integrations of a solution together
-MOST = 2000  # relations
-WHOLE = 1e-9  # how far a count may be from a whole number
+COMPARED = "exceeds"  # role of relations whose left side is larger than the right one
+STATED = "law", "derived", "result", "verified"  # roles of equations
+STEPS = 1000  # most integration steps of one solution
+MOST = 2000  # most relations of one solution
+WHOLE = 1e-9  # largest difference between a count and an integer
 
 
 def recompute(data: Mapping[str, Any]) -> Recomputed:
-    """Work through the data of a solution, see `sim2reason.solutions.data.as_data`, as a reader would.
+    """Recompute the answer of a solution from its data, see `sim2reason.solutions.data.as_data`.
 
-    Givens, relations in order, phases that are integrated; every name must follow from what is stated, every relation
-    must hold, and the laws must determine the goal. Faults are said in words; none are raised.
+    Givens and relations are processed in order, and phases are integrated. Every name must follow from what is stated,
+    every relation must hold, and the laws must determine the goal. Faults are returned as messages, never raised.
     """
     try:
         unknown = sought(data)
@@ -181,11 +182,12 @@ def recompute(data: Mapping[str, Any]) -> Recomputed:
 
 
 def _read(data: Mapping[str, Any]) -> Recomputed:
+    """Recompute the answer of a solution without an unknown found by trial."""
     return _Reading(data).result()
 
 
 class _Reading:
-    """One solution that is worked through."""
+    """The recomputation of one solution, step by step."""
 
     def __init__(self, data: Mapping[str, Any]) -> None:
         self._data = data
@@ -200,7 +202,7 @@ class _Reading:
         self._needed: list[str] = [str(data["goal"])]
 
     def result(self) -> Recomputed:
-        """Work through all steps."""
+        """Process all steps and return the answer with its faults."""
         known = self._relations
         if sum(len(step["relations"]) for step in self._data["steps"]) > MOST:
             raise TreeError("there are too many relations")
@@ -219,7 +221,7 @@ class _Reading:
         return Recomputed(answer, tuple(dict.fromkeys(faults)), known.values)
 
     def _read(self, step: Mapping[str, Any]) -> None:
-        """One step: its relations, then its integration."""
+        """Process the relations of a step, then its integration."""
         for held in step["relations"]:
             left, right, role = held["left"], held["right"], str(held["role"])
             check(left)
@@ -236,7 +238,7 @@ class _Reading:
             self._integrate(step["integration"])
 
     def _integrate(self, data: Mapping[str, Any]) -> None:
-        """Find the end of a phase; the laws must determine what it begins with."""
+        """Integrate a phase to its end; the laws must determine its initial values."""
         known = self._relations
         if known.unknown:
             known.solve_linear()
@@ -256,7 +258,7 @@ class _Reading:
                 known.assign(name, number)
 
     def _too_small(self) -> list[str]:
-        """Return the stated comparisons that are false, in words."""
+        """Return messages for stated comparisons that are false."""
         found: list[str] = []
         for held in self._compared:
             try:
@@ -267,7 +269,7 @@ class _Reading:
         return found
 
     def _undetermined(self) -> Sequence[str]:
-        """Return what does not follow from the laws."""
+        """Return messages for what does not follow from the laws."""
         stated = [equation for equation in self._equations if equation.role != "verified" and equation.near is None]
         try:
             return [*undetermined(stated, self._given | self._ends, self._relations.values, self._needed)]

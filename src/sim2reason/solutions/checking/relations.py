@@ -1,4 +1,4 @@
-"""Relations in order: those that define a name give it a value, all others are solved or verified."""
+"""Relations in stated order: definitions give symbols their values, all others are solved or verified."""
 
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -16,15 +16,15 @@ from sim2reason.solutions.checking.trees import (
     value,
 )
 
-HALVINGS = 200
+HALVINGS = 200  # iterations
 EPS = 4e-16  # relative
 
 
 def zero(function: Callable[[float], float], one: float, other: float, *, within: float = EPS) -> float:
-    """Find a zero by the method of Anderson and Björck, with bisection where that is slow.
+    """Find a zero between two points by the Anderson-Björck method, with bisection where that is slow.
 
-    The values at both points must differ in sign; the zero is found `within` a relative distance. What the function
-    raises is passed on.
+    The values at both points must differ in sign; `within` is the relative accuracy of the zero. Exceptions of the
+    function propagate.
     """
     low, high = function(one), function(other)
     for n in range(HALVINGS):
@@ -36,7 +36,7 @@ def zero(function: Callable[[float], float], one: float, other: float, *, within
         if not min(one, other) < middle < max(one, other):
             middle = 0.5 * (one + other)
         value = function(middle)
-        if (value > 0.0) == (high > 0.0):  # the other end stays: count it for less
+        if (value > 0.0) == (high > 0.0):  # the other end stays: reduce its weight
             weight = 1.0 - value / high
             low *= weight if weight > 0.0 else 0.5
         else:
@@ -45,30 +45,30 @@ def zero(function: Callable[[float], float], one: float, other: float, *, within
     return other
 
 
-CERTAIN = 1e-9  # what a name that linear equations determine may have in common with what they leave open
-ROUNDING = 1e-13  # relative to its terms: a coefficient that is zero
-RANK = 1e-10  # relative: singular values below it are taken as zero
-SAID = 2e-9  # relative: how well a number that stands for a formula is that formula's value
+CERTAIN = 1e-9  # largest part of a determined symbol in the null space of the equations
+ROUNDING = 1e-13  # relative to its terms: smaller coefficients count as zero
+RANK = 1e-10  # relative: smaller singular values count as zero
+SAID = 2e-9  # relative: largest difference between a stated number and its formula
 UNDEFINED = (ArithmeticError, ValueError, KeyError)
 
 
 class Relations:
-    """The values that relations give to names, those that wait for values, and the faults that were found."""
+    """The known values, the equations that wait for values, and the faults found so far."""
 
     def __init__(self, given: Mapping[str, float]) -> None:
-        """Start with what is given."""
+        """Take the given values by name."""
         self.values = dict(given)
         self.faults: list[str] = []
-        self._missing: dict[Equation, set[str]] = {}  # of each equation that waits, the names without a value
-        self._waiting: dict[str, list[Equation]] = defaultdict(list)  # by such a name
+        self._missing: dict[Equation, set[str]] = {}  # unknown names of each waiting equation
+        self._waiting: dict[str, list[Equation]] = defaultdict(list)  # waiting equations by unknown name
 
     @property
     def unknown(self) -> list[str]:
-        """The names without a value, in order of appearance."""
+        """Return the symbols without values in order of appearance."""
         return list(dict.fromkeys(name for missing in self._missing.values() for name in sorted(missing)))
 
     def add(self, equation: Equation) -> None:
-        """Use one more relation."""
+        """Process one more relation."""
         if equation.near is not None and isinstance(equation.left, str):
             self._shoot(equation.left, equation.near)
             return
@@ -79,7 +79,7 @@ class Relations:
         self._look_at(equation)
 
     def assign(self, name: str, number: float) -> None:
-        """Give a name its value, and use what waited for it."""
+        """Set the value of a symbol and process the equations that waited for it."""
         self.values[name] = number
         for equation in self._waiting.pop(name, []):
             self._missing[equation].discard(name)
@@ -87,7 +87,7 @@ class Relations:
             self._look_at(equation)
 
     def _look_at(self, equation: Equation) -> None:
-        """Verify a relation of which all is known, or take the value of a name from it."""
+        """Verify a relation without unknowns, or compute its only unknown if the relation defines it."""
         missing = self._missing.get(equation)
         if missing is None or len(missing) > 1:
             return
@@ -110,10 +110,12 @@ class Relations:
         self.assign(name, number)
 
     def _drop(self, equation: Equation) -> None:
+        """Remove an equation from those that wait."""
         for name in self._missing.pop(equation):
             self._waiting[name].remove(equation)
 
     def _verify(self, equation: Equation) -> None:
+        """Record a fault if a relation does not hold."""
         try:
             good = equation.holds(self.values)
         except UNDEFINED:
@@ -125,7 +127,7 @@ class Relations:
         self._judge_parts(equation.right)
 
     def _judge_parts(self, tree: Tree) -> None:
-        """Compare numbers that stand for formulas with them, and look at roots."""
+        """Record faults of stated numbers that differ from their formulas, and of roots that are not unique."""
         for _, inner, number in parts_named(tree, "worked"):
             found, said = value(inner, self.values), float(number)  # type: ignore[arg-type]
             if abs(found - said) > SAID * abs(found):
@@ -137,7 +139,7 @@ class Relations:
     # ---- what several relations determine together
 
     def _shoot(self, name: str, near: float) -> None:
-        """Find the value of a name, close to a number, for which what waits for it has no contradiction."""
+        """Find the value of a symbol near a number for which all waiting relations hold."""
         self.solve_linear()
         if name in self.values:
             if abs(self.values[name] - near) > ROUGH * abs(near):
@@ -164,14 +166,14 @@ class Relations:
         self.assign(name, found)
 
     def _along(self, chain: Sequence[tuple[str, Tree]], name: str, number: float) -> dict[str, float]:
-        """Return all values, where one more name has one, and others follow."""
+        """Return all values that follow from a trial value of a symbol."""
         at = self.values | {name: number}
         for other, formula in chain:
             at[other] = value(formula, at)
         return at
 
     def _chain(self, name: str) -> tuple[list[tuple[str, Tree]], list[Equation]]:
-        """Return the names that one determines, each with its formula, and the relations that then can be verified."""
+        """Return the formulas that follow from a symbol's value, and the relations that can then be verified."""
         missing = {equation: names - {name} for equation, names in self._missing.items()}
         chain, whole = list[tuple[str, Tree]](), list[Equation]()
         while True:
@@ -187,7 +189,7 @@ class Relations:
                 names.discard(other)
 
     def solve_linear(self) -> None:
-        """Solve the waiting equations for the names that they determine linearly."""
+        """Solve the waiting equations for the symbols that they determine linearly."""
         while self._missing:
             rows = self._linear_rows()
             found = _determined(rows) if rows else {}
@@ -198,7 +200,7 @@ class Relations:
                     self.assign(name, number)
 
     def _linear_rows(self) -> list[tuple[dict[str, float], float]]:
-        """Of each waiting equation that is linear in its unknowns, the coefficients and the right side."""
+        """Return the coefficients and the right side of each waiting equation that is linear in its unknowns."""
         found: list[tuple[dict[str, float], float]] = []
         for equation, missing in self._missing.items():
             if equation.asserts:
@@ -214,13 +216,13 @@ class Relations:
         return found
 
     def _significant(self, tree: Tree) -> float:
-        """Return the value of a coefficient; zero if that is all that rounding has left of its terms."""
+        """Return the value of a coefficient; zero if it is only a rounding error of its terms."""
         number = value(tree, self.values)
         return number if abs(number) > ROUNDING * bound(tree, self.values) else 0.0
 
 
 def _definitions(missing: Mapping[Equation, set[str]]) -> Iterator[tuple[Equation, str, Tree]]:
-    """Equations that give the only name without a value one."""
+    """Yield the equations that define their only unknown, with that unknown and its formula."""
     for equation, names in missing.items():
         if len(names) == 1:
             (name,) = names
@@ -230,7 +232,7 @@ def _definitions(missing: Mapping[Equation, set[str]]) -> Iterator[tuple[Equatio
 
 
 def _determined(rows: list[tuple[dict[str, float], float]]) -> dict[str, float]:
-    """Return the values of the names that linear equations determine, of those alone."""
+    """Return the values of the symbols that linear equations determine uniquely."""
     names = sorted({name for row, _ in rows for name in row})
     matrix = np.array([[row.get(name, 0.0) for name in names] for row, _ in rows])
     right = np.array([off for _, off in rows])

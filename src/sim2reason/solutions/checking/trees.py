@@ -1,10 +1,10 @@
-"""Values and derivatives of prefix trees: ``["+", ["*", "m", "g"], 3.0]``, in which strings are symbols.
+"""Values and derivatives of prefix trees such as ``["+", ["*", "m", "g"], 3.0]``; strings are symbols.
 
 Operations: ``+`` and ``*`` of any number of parts, ``/``, ``^`` with a whole exponent, ``sqrt``, ``abs``, ``sin``,
 ``cos``, ``tan``, ``arcsin``, ``arccos``, ``arctan``, ``ln``, ``exp``, ``pi``, ``elliptic K`` of a modulus,
-``elliptic F`` and ``amplitude`` of an argument and a modulus; ``["worked", tree, number]``, a formula with the number
-that it is said to be; ``["root", name, tree, near]``, where a formula of `name` vanishes close to a number; and
-``["solve", near]``, the value close to a number that makes all earlier relations hold.
+``elliptic F`` and ``amplitude`` of an argument and a modulus; ``["worked", tree, number]``, a formula with its stated
+value; ``["root", name, tree, near]``, the zero of a formula in `name` close to a number; and ``["solve", near]``, the
+value close to a number for which all earlier relations hold.
 """
 
 import math
@@ -25,11 +25,11 @@ Derived = tuple[float, dict[str, float]]
 Array: TypeAlias = npt.NDArray[np.float64]
 EvaluateAll = Callable[[Mapping[str, float | Array]], float | Array]
 
-NODES, DEPTH = 4000, 100  # the largest tree
+NODES, DEPTH = 4000, 100  # most nodes and greatest depth of a tree
 ITERATIONS = 60  # of Newton's method
 CONVERGED = 4e-16  # relative
-ROUGH = 1e-4  # relative: a root is said to five digits
-SAMPLES = 8  # subintervals in which other roots are looked for
+ROUGH = 1e-4  # relative: rounding of roots, which are stated to five digits
+SAMPLES = 8  # subintervals searched for other roots
 FUNCTIONS: Mapping[str, tuple[Callable[[float], float], Callable[[float], float]]] = {
     "sqrt": (math.sqrt, lambda x: 0.5 / math.sqrt(x)),
     "abs": (abs, lambda x: math.copysign(1.0, x)),
@@ -41,17 +41,17 @@ FUNCTIONS: Mapping[str, tuple[Callable[[float], float], Callable[[float], float]
     "arctan": (math.atan, lambda x: 1.0 / (1.0 + x * x)),
     "ln": (math.log, lambda x: 1.0 / x),
     "exp": (math.exp, math.exp),
-}  # each with its derivative
+}  # functions with their derivatives
 VECTORS: Mapping[str, Callable[[Any], Any]] = {name: getattr(np, {"ln": "log"}.get(name, name)) for name in FUNCTIONS}
 ARITY = {**elliptic.ARITY, "/": 2, "^": 2, "pi": 0, "worked": 2, "root": 3, "solve": 1} | dict.fromkeys(FUNCTIONS, 1)
 
 
 class TreeError(ValueError):
-    """A tree that has no value, or is none."""
+    """An error raised for a tree that is malformed or has no value."""
 
 
 def check(tree: Tree) -> None:
-    """Refuse what is no tree, or one that is too large; TreeError."""
+    """Raise TreeError if a tree is malformed or too large."""
     waiting: list[tuple[Tree, int]] = [(tree, 0)]
     for _ in range(NODES):
         if not waiting:
@@ -68,6 +68,7 @@ def check(tree: Tree) -> None:
 
 
 def _check_operation(held: list[Tree]) -> None:
+    """Raise TreeError if an operation is unknown or has a wrong number of operands."""
     operation = held[0] if held else None
     if not isinstance(operation, str) or (operation not in ARITY and operation not in ("+", "*")):
         raise TreeError(f"there is no operation {operation!r}")
@@ -81,7 +82,7 @@ def _check_operation(held: list[Tree]) -> None:
 
 
 def symbols(tree: Tree) -> Iterator[str]:
-    """Yield the free symbols of a tree, from left to right, some more than once."""
+    """Yield the free symbols of a tree from left to right, with repetitions."""
     if isinstance(tree, str):
         yield tree
     elif isinstance(tree, list):
@@ -96,7 +97,7 @@ def symbols(tree: Tree) -> Iterator[str]:
 
 
 def parts_named(tree: Tree, operation: str) -> Iterator[list[Tree]]:
-    """Yield the parts of a tree that are of one operation, without those in the equations of roots."""
+    """Yield the subtrees of one operation, except those in equations of roots."""
     if isinstance(tree, list):
         if tree[0] == operation:
             yield tree
@@ -107,7 +108,7 @@ def parts_named(tree: Tree, operation: str) -> Iterator[list[Tree]]:
 
 
 def compiled_for_many(tree: Tree) -> EvaluateAll:
-    """Build a function that evaluates a tree for arrays of values; not a number where it has none."""
+    """Compile a tree to a function of arrays of values; it returns NaN where the tree is undefined."""
     if isinstance(tree, str):
         return lambda at: at[tree]
     if not isinstance(tree, list):
@@ -143,7 +144,7 @@ def _applied(operation: str, parts: list[EvaluateAll]) -> Callable[[Any], Any]:
 
 
 def value(tree: Tree, at: Values) -> float:
-    """Return the value of a formula, given as a prefix tree, for given values of its symbols."""
+    """Return the value of a tree for given values of its symbols."""
     if isinstance(tree, str):
         return at[tree]
     if not isinstance(tree, list):
@@ -161,7 +162,7 @@ def value(tree: Tree, at: Values) -> float:
 
 
 def _operated(operation: str, parts: Sequence[float]) -> float:
-    """Return an operation on values."""
+    """Return the value of an operation on numbers."""
     match operation:
         case "pi":
             return math.pi
@@ -180,17 +181,17 @@ def _operated(operation: str, parts: Sequence[float]) -> float:
 
 
 def terms(tree: Tree) -> list[Tree]:
-    """Return the terms of a sum; of anything else itself."""
+    """Return the terms of a sum; any other tree is its own only term."""
     return tree[1:] if isinstance(tree, list) and tree[0] == "+" else [tree]
 
 
 def size(tree: Tree, at: Values) -> float:
-    """Return the absolute value of the largest term of a tree."""
+    """Return the magnitude of the largest term of a tree."""
     return max(abs(value(term, at)) for term in terms(tree))
 
 
 def bound(tree: Tree, at: Values) -> float:
-    """Return the value that a tree would have if no terms cancelled; ArithmeticError or ValueError if it has none."""
+    """Return the value of a tree if no terms cancelled; ArithmeticError or ValueError if it is undefined."""
     if not isinstance(tree, list) or tree[0] in ("root", "pi"):
         return abs(value(tree, at))
     operation, *parts = tree
@@ -206,7 +207,7 @@ def bound(tree: Tree, at: Values) -> float:
 
 
 def derivatives(tree: Tree, at: Values) -> Derived:
-    """Evaluate a tree and its partial derivatives by all symbols; ArithmeticError or ValueError if it has none."""
+    """Return a tree's value and partial derivatives; ArithmeticError or ValueError if it is undefined."""
     if isinstance(tree, str):
         return at[tree], {tree: 1.0}
     if not isinstance(tree, list):
@@ -223,7 +224,7 @@ def derivatives(tree: Tree, at: Values) -> Derived:
 
 
 def _combination(operation: str, parts: Sequence[Derived]) -> Derived:
-    """Return an operation on values with their derivatives."""
+    """Return the value and derivatives of an operation on values with derivatives."""
     match operation, parts:
         case "pi", _:
             return math.pi, {}
@@ -243,6 +244,7 @@ def _combination(operation: str, parts: Sequence[Derived]) -> Derived:
 
 
 def _combined(parts: Iterable[tuple[float, Mapping[str, float]]]) -> dict[str, float]:
+    """Return a linear combination of gradients."""
     found: dict[str, float] = {}
     for factor, slopes in parts:
         for name, slope in slopes.items():
@@ -251,11 +253,12 @@ def _combined(parts: Iterable[tuple[float, Mapping[str, float]]]) -> dict[str, f
 
 
 def _product(one: Derived, other: Derived) -> Derived:
+    """Return the value and derivatives of a product."""
     return one[0] * other[0], _combined([(other[0], one[1]), (one[0], other[1])])
 
 
 def _root_derivatives(tree: list[Tree], at: Values) -> Derived:
-    """By the theorem of implicit functions."""
+    """Return the value and derivatives of a root by the implicit function theorem."""
     name, x = str(tree[1]), root(tree, at)
     _, slopes = derivatives(tree[2], {**at, name: x})
     own = slopes.pop(name)
@@ -282,7 +285,7 @@ def root(tree: list[Tree], at: Values) -> float:
 
 
 def has_other_root(tree: list[Tree], at: Values) -> bool:
-    """Whether the root is not the only one within what the stated digits leave open, or not within that at all."""
+    """Return whether the interval of numbers with the stated digits contains a second root, or no root."""
     _, name, residual, near = tree
     middle = float(near)  # type: ignore[arg-type]
     if abs(root(tree, at) - middle) > ROUGH * abs(middle):
@@ -293,7 +296,7 @@ def has_other_root(tree: list[Tree], at: Values) -> bool:
 
 
 def written(tree: Tree) -> str:
-    """Return a tree on one line, for messages."""
+    """Return a tree on one line, for error messages."""
     if not isinstance(tree, list):
         return tree if isinstance(tree, str) else f"{tree:.6g}"
     return f"{tree[0]}({', '.join(map(written, tree[1:]))})"

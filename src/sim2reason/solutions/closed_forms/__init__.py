@@ -1,4 +1,4 @@
-"""Closed forms: the answer of a worked solution as one formula of the numbers that the text and the question say."""
+"""Closed forms: the answer of a worked solution as one formula of the given quantities."""
 
 from sim2reason.solutions.closed_forms.closed_form import (
     LONGEST,

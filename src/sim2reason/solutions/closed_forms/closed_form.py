@@ -1,4 +1,4 @@
-"""From the steps of a worked solution to one formula: every name that a step gives is put in where it is used."""
+"""Substitution of all steps of a worked solution into one formula."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -24,57 +24,57 @@ from sim2reason.solutions.closed_forms.rewriting import length, shortest
 from sim2reason.solutions.closed_forms.tidying import tidied
 from sim2reason.solutions.solution import Solution, Step
 
-MOST = 150  # symbols in a formula before it is made shorter
-LONGEST = 230  # characters of LaTeX: nobody would write more into a box; a sum is repeated in reduced fractions
-ROOTED = {2: 400, 3: 250}  # characters: longer ones of so many different roots, or more, were never brought to that
+MOST = 150  # symbols in a formula before simplification, at most
+LONGEST = 230  # characters of LaTeX, at most; a sum is repeated in reduced fractions
+ROOTED = {2: 400, 3: 250}  # by number of different roots: characters of the longest formula worth simplifying
 
 
 class ClosedFormError(Exception):
-    """A solution from which no formula follows; the message says why."""
+    """An error raised for a solution without a closed-form answer; the message has the reason."""
 
 
 @dataclass(frozen=True)
 class ClosedForm:
-    """The answer as a formula of what is given, in SI units and radians; `symbols` are those in it, sorted."""
+    """The answer as a formula of the given quantities, in SI units and radians; `symbols` are its sorted names."""
 
     expression: Expression
     latex: str
     symbols: tuple[str, ...]
 
     def of_sizes(self, points: Sequence[Mapping[str, float]]) -> "ClosedForm":
-        """Return its absolute value; a radicand that is negative at one of the points is replaced by its own.
+        """Return the absolute value; a radicand that is negative at a point is replaced by its absolute value.
 
-        Factors of one sign at all of them have that sign, and the others stand between bars.
+        Factors with one sign at all points get that sign; all others stand between bars.
         """
         found = one_storey(tidied(_of_size(_rooted_in_sizes(self.expression, points), points)))
         return ClosedForm(found, found.latex(), self.symbols)
 
     def without_roots_of_squares(self, at: Mapping[str, float] | None = None) -> "ClosedForm":
-        """What is squared under a root stands before it, between bars, or with the sign that it has at a point."""
+        """Take squares out of roots, between bars or with their sign at a given point."""
         found = one_storey(tidied(_out_of_roots(self.expression, at)))
         return ClosedForm(found, found.latex(), self.symbols)
 
     def with_positive_factors(self, points: Sequence[Mapping[str, float]]) -> "ClosedForm":
-        """Reverse pairs of sums among its factors that are negative at all points, so that both are positive."""
+        """Reverse pairs of factors that are negative at all points, so that both are positive."""
         found = _with_positive_factors(self.expression, points)
         return ClosedForm(found, found.latex(), self.symbols)
 
     def value(self, at: Mapping[str, float]) -> float:
-        """Return its value; ValueError or ZeroDivisionError where it has none."""
+        """Return the value; ValueError or ZeroDivisionError where it is undefined."""
         found = self.expression.value(at)
         assert not isinstance(found, complex)
         return found
 
 
 def closed_form(solution: Solution, own: Sequence[str] = ()) -> ClosedForm:
-    """Return the answer of a solution as one formula, as `put_together` and `shortened` have it."""
+    """Return the answer of a solution as one simplified formula."""
     return shortened(put_together(solution, own))
 
 
 def put_together(solution: Solution, own: Sequence[str] = ()) -> Expression:
-    """The formulas of a solution put into each other; ClosedFormError where it came only in numbers, or grows too long.
+    """Substitute the formulas of a solution into one; ClosedFormError if a number is in the way or it gets too long.
 
-    `own` are the names for the numbers that the question itself says, in its order, in place of the solution's.
+    `own` has new names for the numbers in the question, in its order, in place of the solution's names.
     """
     if solution.answer is None:
         raise ClosedFormError(solution.reason)
@@ -86,7 +86,7 @@ def put_together(solution: Solution, own: Sequence[str] = ()) -> Expression:
         at = {renamed.get(name, name): solution.values[name] for name in given}
         signed = any(at.get(name, 0.0) < 0.0 for name in bare.symbols())
         found = -bare if _negative(bare, at) else bare
-        found = Absolute(found) if signed else found  # no reader can tell the sign of the whole
+        found = Absolute(found) if signed else found  # the sign of the formula is not evident
     if hopeless(found):
         raise ClosedFormError("it has too many roots")
     return found
@@ -108,7 +108,7 @@ def defined_by(steps: Sequence[Step]) -> dict[str, Expression]:
 
 
 def _without_bars(held: Expression) -> Expression:
-    """Return a formula without the modulus of itself or of a factor: the sign of a whole is told by its numbers."""
+    """Remove the absolute value of a formula or of its factors; the sign follows from the numbers."""
     match held:
         case Absolute():
             return held.inside
@@ -121,13 +121,14 @@ def _without_bars(held: Expression) -> Expression:
 
 
 def hopeless(whole: Expression) -> bool:
-    """Return whether a formula is too long, for one of so many roots, to be looked at any more: roots don't cancel."""
+    """Return whether a formula with so many roots is too long to be simplified, since roots do not cancel."""
     roots = len(set(_roots(whole)))
     most = next((characters for count, characters in sorted(ROOTED.items(), reverse=True) if roots >= count), inf)
     return len(whole.latex()) > most
 
 
 def _roots(held: Expression) -> Iterator[str]:
+    """Yield the LaTeX of all roots in a formula."""
     if isinstance(held, Root):
         yield held.latex()
     for part in held.parts:
@@ -135,7 +136,7 @@ def _roots(held: Expression) -> Iterator[str]:
 
 
 def shortened(whole: Expression) -> ClosedForm:
-    """Return a formula as one would write it; ClosedFormError if even that is too long."""
+    """Simplify a formula; ClosedFormError if the result is too long."""
     found = _written(whole)
     if len(found.latex) > LONGEST:
         raise ClosedFormError(f"it takes {len(found.latex)} characters")
@@ -144,7 +145,7 @@ def shortened(whole: Expression) -> ClosedForm:
 
 @lru_cache(maxsize=512)
 def _written(whole: Expression) -> ClosedForm:
-    """As short as is found; many scenes differ in their numbers alone, and lead to one formula."""
+    """Simplify a formula as far as possible; cached, since scenes with other numbers have the same formula."""
     if isinstance(whole, Absolute):
         found = Absolute(_written(whole.inside).expression)
         return ClosedForm(found, found.latex(), tuple(sorted(set(found.symbols()))))
@@ -153,11 +154,12 @@ def _written(whole: Expression) -> ClosedForm:
 
 
 def _reduced(whole: Expression) -> Expression:
-    """Return a formula with what terms share in front, without fractions in its fractions."""
+    """Return a formula with common factors in front and without nested fractions."""
     return one_storey(tidied(with_factors_in_front(tidied(gathered(tidied(whole))))))
 
 
 def _rooted_in_sizes(held: Expression, points: Sequence[Mapping[str, float]]) -> Expression:
+    """Replace radicands that are negative at a point by their absolute values."""
     if not held.parts:
         return held
     parts = [_rooted_in_sizes(part, points) for part in held.parts]
@@ -165,11 +167,12 @@ def _rooted_in_sizes(held: Expression, points: Sequence[Mapping[str, float]]) ->
 
 
 def _of_size(held: Expression, points: Sequence[Mapping[str, float]]) -> Expression:
+    """Return the absolute value of a formula that is negative at a point; other formulas unchanged."""
     return _positive(held, points) if any(_negative(held, at) for at in points) else held
 
 
 def _positive(held: Expression, points: Sequence[Mapping[str, float]]) -> Expression:
-    """The size of a formula: what is of both signs at some points between bars, what is negative with another sign."""
+    """Return the absolute value of a formula: bars around factors of either sign, negative factors negated."""
     if isinstance(held, Quotient):
         return ratio(_positive(held.above, points), _positive(held.below, points))
     factors = held.factors if isinstance(held, Product) else (held,)
@@ -184,6 +187,7 @@ def _positive(held: Expression, points: Sequence[Mapping[str, float]]) -> Expres
 
 
 def _with_positive_factors(held: Expression, points: Sequence[Mapping[str, float]]) -> Expression:
+    """Reverse pairs of factors that are negative at all points."""
     if isinstance(held, Product) and any(isinstance(factor, Quotient) for factor in held.factors):
         return reduce(multiplied, (_with_positive_factors(factor, points) for factor in held.factors))
     above, below = (held.above, held.below) if isinstance(held, Quotient) else (held, ONE)
@@ -198,11 +202,12 @@ def _with_positive_factors(held: Expression, points: Sequence[Mapping[str, float
 
 
 def _is_reversible(factor: Expression, points: Sequence[Mapping[str, float]]) -> bool:
-    """Return whether a factor is a difference with a negative value at all points."""
+    """Return whether a factor is a difference that is negative at all points."""
     return is_difference(factor) and all(_negative(factor, at) for at in points)
 
 
 def _negative(held: Expression, at: Mapping[str, float]) -> bool:
+    """Return whether a formula has a negative value."""
     try:
         return held.value(at).real < 0.0
     except (ValueError, ArithmeticError):
@@ -210,6 +215,7 @@ def _negative(held: Expression, at: Mapping[str, float]) -> bool:
 
 
 def _out_of_roots(held: Expression, at: Mapping[str, float] | None) -> Expression:
+    """Take the squares in radicands out of roots."""
     if not held.parts:
         return held
     found = held.built_of([_out_of_roots(part, at) for part in held.parts])
@@ -231,7 +237,7 @@ def _out_of_roots(held: Expression, at: Mapping[str, float] | None) -> Expressio
 
 
 def _squares_apart(product: Expression) -> tuple[Expression, Expression]:
-    """Return the product of all that is squared in a product, and what is left of it."""
+    """Split a product into its squared part and the rest."""
     squared, left = ONE, ONE
     for factor in product.factors if isinstance(product, Product) else (product,):
         if isinstance(factor, Power) and factor.exponent % 2 == 0:
@@ -243,15 +249,15 @@ def _squares_apart(product: Expression) -> tuple[Expression, Expression]:
 
 
 class Substitution:
-    """Each name replaced by what it stands for, until only what is given is left."""
+    """The repeated replacement of names by their formulas until only given quantities remain."""
 
     def __init__(self, definitions: Mapping[str, Expression], given: Mapping[str, str]) -> None:
-        """Nothing is put in yet; `given` has what each name that stays is called."""
+        """Take the formulas by name and, as `given`, the symbols of the names that remain."""
         self._definitions, self._given = definitions, given
         self._known: dict[str, Expression] = {}
 
     def named(self, name: str) -> Expression:
-        """Return what a name stands for."""
+        """Return the formula of a name in given quantities."""
         if name in self._given:
             return Symbol(self._given[name])
         if name not in self._known:
@@ -263,7 +269,7 @@ class Substitution:
         return self._known[name]
 
     def of(self, held: Expression) -> Expression:
-        """Return a formula with names put in."""
+        """Return a formula with all names substituted."""
         match held:
             case Symbol():
                 found = self.named(held.name)
@@ -283,7 +289,7 @@ class Substitution:
 
 
 def _simple(number: Number) -> Number:
-    """Return a number that a formula may have: anything else hides what it comes from."""
+    """Return a number if it may stand in a closed form; ClosedFormError if it hides given quantities."""
     if simple_fraction(number.x) is None:
         raise ClosedFormError(f"the number {number.x:g} in it is no simple one")
     return number

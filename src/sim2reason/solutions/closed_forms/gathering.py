@@ -1,4 +1,4 @@
-"""Sums as one would write them by hand: what terms share stands before them, as in g (m_A - m_B), at any depth."""
+"""Sums with common factors in front at any depth, as in g (m_A - m_B)."""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
@@ -23,13 +23,13 @@ from sim2reason.solutions.algebra.expressions import (
 from sim2reason.solutions.algebra.functions import Power, is_difference
 from sim2reason.solutions.closed_forms.rewriting import length
 
-MANY = 30  # terms: of more, none is looked at
-FEW = 6  # terms of a sum in which products of two sums are looked for
+MANY = 30  # terms of a sum that is factored, at most
+FEW = 6  # terms of a sum that is searched for products of two sums, at most
 
 
 @record()
 class Term:
-    """A number times factors, over others; powers are factors several times."""
+    """A number times factors over other factors; powers are repeated factors."""
 
     number: float
     factors: tuple[Expression, ...]
@@ -37,19 +37,19 @@ class Term:
 
     @property
     def written(self) -> Expression:
-        """As a formula."""
+        """Return the term as a formula."""
         above = reduce(multiplied, _raised(self.factors), Number(self.number))
         return ratio(above, reduce(multiplied, _raised(self.below), ONE)) if self.below else above
 
     def without(self, other: "Term") -> "Term":
-        """Divided by what is in it."""
+        """Divide the term by one of its divisors."""
         return Term(self.number / other.number, _less(self.factors, other.factors), _less(self.below, other.below))
 
 
 def gathered(held: Expression, size: Callable[[Expression], int] = length) -> Expression:
-    """Return a formula with the same value, each of whose sums has what terms share before them, where that is shorter.
+    """Factor common terms out of each sum where that is shorter; the value is unchanged.
 
-    How long a formula is, its `size` says: by default as it is written.
+    `size` returns the length of a formula, by default that of its LaTeX.
     """
     if not held.parts:
         return held
@@ -65,9 +65,9 @@ def gathered(held: Expression, size: Callable[[Expression], int] = length) -> Ex
 
 
 def with_factors_in_front(held: Expression) -> Expression:
-    """Return a formula with the same value, each of whose sums has what all its terms share before it, however long.
+    """Factor the common factors of all terms out of each sum, at any length; the value is unchanged.
 
-    Where it then stands above and below a fraction, it cancels.
+    Factors common to numerator and denominator of a fraction then cancel.
     """
     if not held.parts:
         return held
@@ -84,7 +84,7 @@ def with_factors_in_front(held: Expression) -> Expression:
 
 
 def _in_front(terms: Sequence[Term]) -> Expression | None:
-    """Return what all terms share, times a sum of the rest; None if they share nothing."""
+    """Return the common factors of all terms times the remaining sum; None if there are none."""
     shared = _shared(terms)
     numbers = [abs(term.number) for term in terms]
     if all(number.is_integer() for number in numbers):
@@ -96,14 +96,14 @@ def _in_front(terms: Sequence[Term]) -> Expression | None:
 
 
 def symbols_in(held: Expression) -> int:
-    """Return how many symbols a formula has, each as often as it stands there."""
+    """Return the number of symbols in a formula, with repetitions."""
     return sum(1 for _ in held.symbols())
 
 
 def parted(held: Expression) -> Expression:
-    """A formula with the same value, in whose fractions what is above and below cancels, for each term by itself.
+    """Split fractions of sums and cancel each term by itself, where fewer symbols remain; the value is unchanged.
 
-    As in F/(m_A + m_B) + g sin θ for (F + (m_A + m_B) g sin θ)/(m_A + m_B); only where fewer symbols are left.
+    For example, (F + (m_A + m_B) g sin θ)/(m_A + m_B) becomes F/(m_A + m_B) + g sin θ.
     """
     if not held.parts:
         return held
@@ -115,7 +115,7 @@ def parted(held: Expression) -> Expression:
 
 
 def _apart(whole: Term) -> Iterator[Expression]:
-    """Yield each sum in a fraction with each of its terms over what is below."""
+    """Yield fractions with one sum of the numerator divided term by term."""
     for held in whole.factors if whole.below else ():
         if isinstance(held, Sum):
             rest = _less(whole.factors, (held,))
@@ -124,10 +124,12 @@ def _apart(whole: Term) -> Iterator[Expression]:
 
 
 def _cancelled(term: Term) -> Term:
+    """Cancel the common factors of numerator and denominator."""
     return replace(term, factors=_less(term.factors, term.below), below=_less(term.below, term.factors))
 
 
 def _term(held: Expression) -> Term:
+    """Convert a formula to a term."""
     match held:
         case Number(x):
             return Term(x, ())
@@ -145,7 +147,7 @@ def _term(held: Expression) -> Term:
 
 
 def _product(terms: Sequence[Term]) -> Expression:
-    """Return what all terms share, times a sum in which the rest is gathered."""
+    """Return the common factors of all terms times a sum with its remaining common factors collected."""
     terms = _merged(terms)
     if len(terms) < 2:
         return _plain(terms)
@@ -173,8 +175,8 @@ def _crosswise(terms: Sequence[Term]) -> Expression | None:
 
 
 def _two_sums(ac: Term, ad: Term, bc: Term, bd: Term) -> tuple[Expression, ...] | None:
-    """Return the factors whose product is four terms, with two sums among them; None if the terms are no product."""
-    over, beside = bc.number / ac.number, ad.number / ac.number  # of b beside a, and of d beside c
+    """Return the factors, two of them sums, of the product of four terms; None if the terms are no product."""
+    over, beside = bc.number / ac.number, ad.number / ac.number  # ratios b/a and d/c
     if any(term.below for term in (ac, ad, bc, bd)) or bd.number != ac.number * over * beside:
         return None
     a = _both(ac.factors, ad.factors)
@@ -190,7 +192,7 @@ def _two_sums(ac: Term, ad: Term, bc: Term, bd: Term) -> tuple[Expression, ...] 
 
 
 def _square(terms: Sequence[Term]) -> Term | None:
-    """Three terms that are a number times the square of a sum of two, n(a² + b² ± 2ab), as that; else None."""
+    """Return three terms n(a² + b² ± 2ab) as a multiple of a square; None for any other three."""
     for n, mixed in enumerate(terms if len(terms) == 3 else ()):
         first, second = (*terms[:n], *terms[n + 1 :])
         one, other = _root(first, first.number), _root(second, first.number)
@@ -204,7 +206,7 @@ def _square(terms: Sequence[Term]) -> Term | None:
 
 
 def _root(term: Term, over: float) -> Term | None:
-    """Return what a term over a number is the square of, with a positive sign; None if it is that of no simple one."""
+    """Return the positive square root of a term over a number; None if it is not simple."""
     number = sqrt(max(term.number / over, 0.0))
     if simple_fraction(number) is None or not number:
         return None
@@ -214,12 +216,12 @@ def _root(term: Term, over: float) -> Term | None:
 
 
 def _halved(factors: Sequence[Expression]) -> tuple[Expression, ...]:
-    """Return each half as often."""
+    """Return each factor half as often."""
     return tuple(held for held in dict.fromkeys(factors) for _ in range(factors.count(held) // 2))
 
 
 def _grouped(terms: Sequence[Term]) -> list[Term]:
-    """Return the terms that share the factor with most to gain, as one; and so on, while any two share one."""
+    """Combine the terms that share the factor with the largest saving, and repeat while terms share factors."""
     gains = {
         factor: (sum(factor in term.factors for term in terms) - 1) * len(factor.latex())
         for term in terms
@@ -233,7 +235,7 @@ def _grouped(terms: Sequence[Term]) -> list[Term]:
 
 
 def _shared(terms: Sequence[Term]) -> Term:
-    """Return the factors of all terms, and their number where it is the same, with the sign of the first."""
+    """Return the common factors of all terms, and their common number with the sign of the first."""
     first, *others = terms
     factors = reduce(lambda kept, term: _both(kept, term.factors), others, first.factors)
     below = reduce(lambda kept, term: _both(kept, term.below), others, first.below)
@@ -243,7 +245,7 @@ def _shared(terms: Sequence[Term]) -> Term:
 
 
 def _merged(terms: Sequence[Term]) -> list[Term]:
-    """Like terms added up."""
+    """Return terms with like terms combined."""
     found: list[Term] = []
     for term in terms:
         like = next((n for n, other in enumerate(found) if _like(term, other)), None)
@@ -255,20 +257,23 @@ def _merged(terms: Sequence[Term]) -> list[Term]:
 
 
 def _plain(terms: Sequence[Term]) -> Expression:
+    """Return the sum of terms as a formula."""
     return reduce(added, (term.written for term in terms), ZERO)
 
 
 def _like(one: Term, other: Term) -> bool:
+    """Return whether two terms differ in their numbers alone."""
     sides = (one.factors, other.factors), (one.below, other.below)
     return all(len(a) == len(b) and not _less(a, b) for a, b in sides)
 
 
 def _both(one: Sequence[Expression], other: Sequence[Expression]) -> tuple[Expression, ...]:
-    """Return what is in both, as often as in that in which it is less often."""
+    """Return the multiset intersection of two lists of factors."""
     return tuple(factor for n, factor in enumerate(one) if [*one[:n]].count(factor) < [*other].count(factor))
 
 
 def _less(one: Sequence[Expression], other: Sequence[Expression]) -> tuple[Expression, ...]:
+    """Return the multiset difference of two lists of factors."""
     left = [*one]
     for factor in other:
         if factor in left:
@@ -277,7 +282,7 @@ def _less(one: Sequence[Expression], other: Sequence[Expression]) -> tuple[Expre
 
 
 def _raised(factors: Sequence[Expression]) -> Iterator[Expression]:
-    """Yield each once, with its power."""
+    """Yield each distinct factor with its power."""
     for factor in dict.fromkeys(factors):
         times = factors.count(factor)
         yield Power(factor, times) if times > 1 else factor

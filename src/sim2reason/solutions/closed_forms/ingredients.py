@@ -1,4 +1,4 @@
-"""The last algebra of an answer in symbols: what the quantities on the way come to, and what is inserted into what."""
+"""The final algebra of a symbolic answer: intermediate quantities and their substitution into the formula."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -19,17 +19,16 @@ from sim2reason.solutions.closed_forms.tidying import tidied
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.solution import SAME, Relation, Solution, Step
 
-MOST, LONG = 4, 120  # quantities that are told; characters of a formula that no longer helps
-LONGEST = 240  # characters of a formula that is written before it is simplified
-SHORTER = 0.9  # of its characters: a formula that was simplified, not only written in another order
+MOST, LONG = 4, 120  # most quantities that are stated; characters of the longest of their formulas
+LONGEST = 240  # characters of a formula that is written before it is simplified, at most
+SHORTER = 0.9  # of its characters: only a shorter result counts as simplified
 
 
 def with_ingredients(solution: Solution) -> Solution:
-    """Return a solution in symbols with a last step that leads to the formula of the answer.
+    """Return a symbolic solution with a final step that leads to the formula of the answer.
 
-    It says what the quantities on the way come to in terms of what is given, and which are inserted into the last
-    formula. Those that are given, that one formula gives in terms of what is given, or that the text has, are not
-    repeated.
+    The step gives intermediate quantities in terms of given ones, and names those inserted into the last formula. It
+    omits quantities that are given, that a single formula gives in terms of given ones, or that the text contains.
     """
     algebra = _LastAlgebra(solution)
     relations, insertion, inserted = algebra.told, *algebra.insertion()
@@ -52,7 +51,7 @@ def with_ingredients(solution: Solution) -> Solution:
 
 @dataclass(frozen=True)
 class _LastAlgebra:
-    """The quantities between what is given and the answer, and their formulas."""
+    """The quantities between the given ones and the answer, and their formulas."""
 
     solution: Solution
 
@@ -75,36 +74,36 @@ class _LastAlgebra:
 
     @cached_property
     def _whole(self) -> str:
-        """Return the goal's symbol, or the one whose modulus or negative the goal is."""
+        """Return the symbol of the goal, or the one whose absolute value or negative is the goal."""
         whole = self.solution.goal
         while (inner := _inside(self._formulas[whole])) in self._formulas and inner not in self._given:
             whole = inner
         return whole
 
     def _parts(self, name: str) -> list[str]:
-        """Return the names in a formula that the solution defines itself."""
+        """Return the derived names in the formula of a name."""
         names = dict.fromkeys(self._formulas[name].symbols())
         return [other for other in names if other in self._formulas and other not in self._given]
 
     @cached_property
     def told(self) -> list[Relation]:
-        """Return equations that give intermediate quantities by given ones, such as a = F/m; of many, the last ones."""
+        """Return equations of intermediate quantities in given ones, such as a = F/m; of many, the last ones."""
         last = [*self._last()]
         whole = last if any(not isinstance(held, Symbol) for held in last) else [*map(Symbol, self._on_the_way())]
         relations = [*self._in_given(whole)]
         return relations if len(relations) <= MOST else [*self._in_given(last)][:MOST]
 
     def _last(self) -> Iterator[Expression]:
-        """Yield what the last formula with more than one name that the solution defines itself is made of."""
+        """Yield the parts of the last formula with more than one derived name."""
         whole, names = self._whole, self._parts(self._whole)
         while len(names) == 1 and (deeper := self._parts(names[0])):
             whole, names = names[0], deeper
         yield from _summands(self._formulas[whole], names) or [Symbol(name) for name in names]
 
     def _on_the_way(self) -> list[str]:
-        """Return the names on which the formula of the answer hangs, in the order in which they are defined.
+        """Return the names on which the answer depends, in order of definition.
 
-        Names behind one that the text has in terms of given quantities are left out.
+        The search stops at names that the text gives in terms of given quantities.
         """
         found, waiting = set[str](), [self._whole]
         while waiting:
@@ -117,7 +116,7 @@ class _LastAlgebra:
         return [name for name in self._formulas if name in found]
 
     def _in_given(self, parts: Sequence[Expression]) -> Iterator[Relation]:
-        """Yield the formulas of quantities that the text does not have yet."""
+        """Yield the formulas of quantities, in given ones, that the text does not contain yet."""
         for part in parts:
             if isinstance(part, Symbol) and self._is_plain(part.name):
                 continue
@@ -129,22 +128,24 @@ class _LastAlgebra:
                 yield relation
 
     def _is_said(self, name: str) -> bool:
-        """Return whether the text contains a quantity in terms of given ones."""
+        """Return whether the text contains the formula of a quantity in given ones."""
         found = self._closed(Symbol(name))
         return found is not None and Relation(Symbol(name), found.expression, "derived").latex() in self._said
 
     def _is_plain(self, name: str) -> bool:
-        """Return whether one formula gives a quantity in terms of what is given, or of constants."""
+        """Return whether a single formula gives a quantity in given quantities and constants."""
         known = self._formulas[name].symbols()
         return all(other in self._given or not {*self._formulas[other].symbols()} for other in known)
 
     def _closed(self, part: Expression) -> ClosedForm | None:
+        """Return the closed form of a part, or None."""
         try:
             return shortened(self._put_in.of(part))
         except ClosedFormError:
             return None
 
     def _holds(self, relation: Relation) -> bool:
+        """Return whether a relation holds for the values of the solution."""
         values = self.solution.values
         if not {*relation.symbols()} <= values.keys():
             return True
@@ -152,7 +153,7 @@ class _LastAlgebra:
         return isclose(left, right, rel_tol=SAME)
 
     def insertion(self) -> tuple[str, list[Relation]]:
-        """Return which quantities are inserted into the last formula, and that formula before it is simplified."""
+        """Return a sentence about the quantities inserted into the last formula, and that unsimplified formula."""
         names = self._parts(self._whole)
         closed = {name: found for name in names if (found := self._closed(Symbol(name))) is not None}
         if not names or len(closed) < len(names):
@@ -171,7 +172,7 @@ class _LastAlgebra:
         return f"{lead} gives {relation.latex()}, which simplifies to {end}.", [relation]
 
     def _simplified(self) -> str:
-        """Return what the last formula comes to in the end, in LaTeX."""
+        """Return the simplified last formula in LaTeX; empty if there is none."""
         if self._whole == self.solution.goal:
             return self.solution.formula
         found = self._closed(Symbol(self._whole))
@@ -179,13 +180,13 @@ class _LastAlgebra:
 
 
 def _inside(held: Expression) -> str:
-    """Return the name of which a formula is the modulus or the negative, or which it is; empty for any other."""
+    """Return the name of which a formula is the absolute value, the negative or a copy; empty for other formulas."""
     inner = held.inside if isinstance(held, Absolute) else -held if held.negative else held
     return inner.name if isinstance(inner, Symbol) else ""
 
 
 def _summands(formula: Expression, names: Sequence[str]) -> list[Expression]:
-    """Return the denominator of a fraction if it is a sum of exactly the quantities to be told; else nothing."""
+    """Return the denominator of a fraction if it is a sum of exactly the given names; else an empty list."""
     below = formula.below if isinstance(formula, Quotient) else formula
     alone = isinstance(below, Sum) and isinstance(formula, Quotient) and [*below.symbols()] == [*names]
     return [below] if alone else []

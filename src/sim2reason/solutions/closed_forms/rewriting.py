@@ -1,10 +1,10 @@
-"""Formulas rewritten by sympy, which is loaded when the first one is: the shortest of a few equal ones is kept.
+"""Formulas simplified by sympy, which is loaded on first use; the shortest equivalent form is kept.
 
-A formula is brought over one denominator in the field of rational functions, whose generators are the symbols and, as
-if they were symbols, the sines and roots in it; it is cancelled there, then factored or collected.
+A formula is brought over one denominator in the field of rational functions, whose generators are its symbols, sines
+and roots. Common factors are cancelled there; the result is factored or collected.
 """
 
-# sympy ships no types; it is used in this one module, which speaks types to the others:
+# sympy ships no types; it is used only in this module, whose interface is typed:
 # pyright: reportMissingTypeStubs=false, reportUnknownMemberType=false, reportUnknownVariableType=false
 # pyright: reportUnknownArgumentType=false, reportUnknownParameterType=false
 from __future__ import annotations
@@ -31,27 +31,27 @@ from sim2reason.solutions.algebra.expressions import (
 from sim2reason.solutions.algebra.functions import Call, Pi, Power, Root
 from sim2reason.solutions.algebra.polynomials import Monomial, Polynomial, written_order
 
-SHORT = 60  # characters: what is no longer needs no more looking at
-HOPELESS = 400  # characters: looked at part by part, a formula has never been found to be less than half as long
-PARTED = 80  # symbols in a formula whose parts are looked at one by one
-CLEARLY = 0.9  # of its length: one that is little shorter is not plainer
-UGLY = 8  # characters that are written to avoid a minus sign at the front
-FACTORED = 30  # terms of what is factored
+SHORT = 60  # characters: shorter formulas are not simplified further
+HOPELESS = 400  # characters: simplifying longer formulas part by part has never saved half
+PARTED = 80  # symbols in a formula that is simplified part by part, at most
+CLEARLY = 0.9  # relative length of a form that replaces a plainer one, at most
+UGLY = 8  # characters that a leading minus sign costs
+FACTORED = 30  # terms of a factored polynomial, at most
 FUNCTIONS = 8  # sines, cosines and roots in one formula, at most
-TERMS = 40  # in a numerator or denominator: more is neither factored nor written
+TERMS = 40  # terms in a numerator or denominator, at most
 
 
 OPERATIONS = ((Sum, add), (Product, mul), (Quotient, truediv))
 
 
 class TooLongError(Exception):
-    """A formula that grew beyond what anybody would write."""
+    """An error raised for a formula that exceeds the limits on its length."""
 
 
 def shortest(held: Expression, room: float = inf) -> Expression:
-    """Return the shortest formula that is found for one: brought over one denominator as a whole, or part by part.
+    """Return the shortest equivalent form found: over one denominator as a whole, or part by part.
 
-    Parts are given up once the symbols in them alone take more than `room`, in characters.
+    The search part by part stops when the symbols of the parts exceed `room` characters.
     """
     found = min((*_over_one(held), held), key=length)
     many = sum(1 for _ in held.symbols()) > PARTED
@@ -68,13 +68,13 @@ def shortest(held: Expression, room: float = inf) -> Expression:
 
 
 def length(held: Expression) -> int:
-    """Return the length of a formula as it is written, more where signs in it could be put better."""
+    """Return the number of characters of a formula's LaTeX, plus a penalty for avoidable minus signs."""
     latex = held.latex()
     return len(latex) + UGLY * (latex.count(r"\left(-") + latex.count("{-") + latex.startswith("-"))
 
 
 def _over_one(held: Expression) -> Iterator[Expression]:
-    """Formulas equal to one of symbols and simple numbers, none if it grows too long on the way."""
+    """Yield equivalent forms over one denominator; none if an intermediate form gets too long."""
     names = tuple(dict.fromkeys(held.symbols()))
     if not names:
         return
@@ -90,10 +90,10 @@ def _over_one(held: Expression) -> Iterator[Expression]:
 
 
 class RationalFunctions:
-    """The field of rational functions of some symbols, and of the sines and roots that are met."""
+    """The field of rational functions of symbols, sines and roots, as sympy represents it."""
 
     def __init__(self, names: tuple[str, ...], functions: int) -> None:
-        """No sine is met yet; at most so many will be."""
+        """Take the symbols, and the largest number of sines and roots."""
         from sympy import ZZ  # noqa: PLC0415 - half a second, for which no other mode waits
         from sympy.polys.fields import field  # noqa: PLC0415
 
@@ -104,7 +104,7 @@ class RationalFunctions:
         self._atoms: list[Expression] = [Symbol(name) for name in names]
         self._spare = generators[len(names) :]
         self._met: dict[tuple[str, Any], Any] = {}
-        self._squares: dict[int, Any] = {}  # of roots, by the number of their generator
+        self._squares: dict[int, Any] = {}  # radicands, by index of the root's generator
 
     def of(self, held: Expression) -> Any:
         """Return a formula as an element of the field."""
@@ -127,15 +127,16 @@ class RationalFunctions:
         return self._sized(reduce(operation, parts))
 
     def _sized(self, found: Any) -> Any:
+        """Return an element; TooLongError if it has too many terms."""
         if max(len(found.numer), len(found.denom)) > TERMS:
             raise TooLongError
         return found
 
     def _atom(self, held: Root | Call | Pi, inner: Any) -> Any:
-        """Return a function of something, as one more generator; so is π, a function of nothing."""
+        """Return a function or π as a generator of the field."""
         function = held.function if isinstance(held, Call) else held.latex() if isinstance(held, Pi) else "sqrt"
         if (function, inner) not in self._met:
-            if len(self._met) == len(self._spare):  # one root, written otherwise before its sine was met and after
+            if len(self._met) == len(self._spare):  # one root in two forms, before and after its sine occurred
                 raise TooLongError
             place = len(self._atoms)
             self._met[function, inner] = self._spare[len(self._met)]
@@ -145,7 +146,7 @@ class RationalFunctions:
         return self._met[function, inner]
 
     def reduced(self, found: Any) -> Any:
-        """With what stands under a root in place of the root's square."""
+        """Replace the squares of roots by their radicands."""
         for place, inside in self._squares.items():
             for side in (found.numer, found.denom):
                 if any(monomial[place] > 1 for monomial in side):
@@ -154,7 +155,7 @@ class RationalFunctions:
         return self._sized(found)
 
     def without_sines_squared(self, found: Any) -> Any:
-        """With 1 − cos² in place of the square of each sine whose cosine is there, too."""
+        """Replace sin² by 1 − cos² wherever the cosine of the same angle occurs."""
         for (function, inner), sine in self._met.items():
             cosine = self._met.get(("cos", inner))
             if function == "sin" and cosine is not None:
@@ -164,6 +165,7 @@ class RationalFunctions:
         return self._sized(found)
 
     def _rooted(self, side: Any, place: int, inside: Any) -> Any:
+        """Replace the squares of one root in a numerator or denominator by its radicand."""
         total = self._field(0)
         for monomial, part in side.items():
             pairs, left = divmod(monomial[place], 2)
@@ -174,7 +176,7 @@ class RationalFunctions:
     # ---- back
 
     def written(self, found: Any) -> Iterator[Expression]:
-        """Yield an element as a formula: multiplied out, with what all terms share in front, and factored."""
+        """Yield an element as formulas: expanded, with common factors in front, and factored."""
         above, below = found.numer, found.denom
         yield ratio(self._sum(above).expression(), self._sum(below).expression())
         top, bottom = (_signed(side) for side in (above, below))
@@ -183,7 +185,7 @@ class RationalFunctions:
             yield _times(top[0] * bottom[0], ratio(one, other))
 
     def _product(self, side: Any) -> Expression:
-        """Return a sum as a product of sums."""
+        """Return a polynomial as a product of its irreducible factors."""
         factor, parts = _factored(side) if len(side) <= FACTORED else (1, [(side, 1)])
         number, factors = float(factor), list[Expression]()
         for part, power in sorted(parts, key=lambda held: len(held[0])):
@@ -194,6 +196,7 @@ class RationalFunctions:
         return reduce(multiplied, sorted(factors, key=_place), Number(number))
 
     def _sum(self, side: Any) -> Polynomial:
+        """Return an expanded polynomial."""
         terms: dict[Monomial, float] = {}
         for powers, part in side.items():
             monomial = tuple((atom, power) for atom, power in zip(self._atoms, powers, strict=False) if power)
@@ -201,7 +204,7 @@ class RationalFunctions:
         return Polynomial(dict(sorted(terms.items(), key=lambda term: [written_order(atom) for atom in term[0]])))
 
     def _gathered(self, side: Any) -> Expression:
-        """Return a sum in which one atom is collected, where that is shorter."""
+        """Return a polynomial with one atom collected, where that is shorter."""
         whole = self._sum(side)
         options = [whole.expression()]
         atoms = {atom for monomial in whole.terms for atom, power in monomial if power == 1}
@@ -216,10 +219,10 @@ class RationalFunctions:
 
 
 def _factored(side: Any) -> tuple[Any, list[tuple[Any, int]]]:
-    """Return a number, and the irreducible factors with their powers.
+    """Return the numerical factor, and the irreducible factors with their powers.
 
-    What holds a symbol in its first power alone, p x + q, has those of the greatest common divisor of p and q, and what
-    is left, which is irreducible (Gauss's lemma); that costs far less than Wang's algorithm.
+    The factors of p x + q, of first degree in a symbol x, are those of the greatest common divisor of p and q, and the
+    quotient, which is irreducible (Gauss's lemma); that costs far less than Wang's algorithm.
     """
     for place in range(side.ring.ngens):
         powers = {monomial[place] for monomial in side}
@@ -237,11 +240,12 @@ def _factored(side: Any) -> tuple[Any, list[tuple[Any, int]]]:
 
 
 def _terms(found: Any) -> int:
+    """Return the number of terms in numerator and denominator."""
     return len(found.numer) + len(found.denom)
 
 
 def _functions(held: Expression) -> Iterator[str]:
-    """Yield the roots and sines in a formula, as they are written."""
+    """Yield the LaTeX of the roots and sines in a formula."""
     if isinstance(held, Root | Call | Pi):
         yield held.latex()
     for part in held.parts:
@@ -249,17 +253,17 @@ def _functions(held: Expression) -> Iterator[str]:
 
 
 def _place(factor: Expression) -> tuple[int, str]:
-    """Return where a factor stands in a product: numbers, symbols, sums, roots, sines."""
+    """Return the sort key of a factor: numbers, symbols, sums, roots, sines."""
     base = factor.base if isinstance(factor, Power) else factor
     return (6, "") if isinstance(base, Sum) else written_order((base, 1))
 
 
 def _signed(side: Any) -> tuple[int, Any]:
-    """Return its sign where all terms share it, or more are negative; and it without that."""
+    """Return the common or prevailing sign of a polynomial, and the polynomial without it."""
     negative = sum(part < 0 for part in side.values())
     return (-1, -side) if 2 * negative > len(side) else (1, side)
 
 
 def _times(sign: int, held: Expression) -> Expression:
-    """With its sign."""
+    """Return a formula with a sign."""
     return held if sign > 0 else -held if held != ONE else Number(-1.0)

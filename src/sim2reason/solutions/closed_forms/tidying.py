@@ -1,4 +1,4 @@
-"""The last touch to a formula: no minus sign that a square takes away, no fraction under a root under a fraction."""
+"""Signs and fractions in simplified formulas: no redundant minus signs, no nested fractions in roots."""
 
 from collections.abc import Mapping
 from functools import reduce
@@ -22,7 +22,7 @@ AT_ZERO: Mapping[str, Expression] = {"sin": ZERO, "cos": ONE, "arcsin": ZERO, "a
 
 
 def tidied(held: Expression) -> Expression:
-    """A formula with the same value, in each of whose parts signs and fractions stand as one would write them."""
+    """Simplify the signs and fractions in all parts of a formula; its value is unchanged."""
     if not held.parts:
         return held
     found = held.built_of([tidied(part) for part in held.parts])
@@ -38,7 +38,7 @@ def tidied(held: Expression) -> Expression:
 
 
 def _function(held: Absolute | Call) -> Expression:
-    """Return a modulus or a function with no minus sign, and no multiple of π, in its argument if it needs none."""
+    """Return an absolute value or function without redundant minus signs and multiples of π in its argument."""
     match held:
         case Absolute(inside) | Call(_, inside) if inside.negative:
             return _outward(held, _opposite(inside))
@@ -118,6 +118,7 @@ def _root(held: Root) -> Expression:
 
 
 def _power_of_pi(exponent: int) -> Expression:
+    """Return a power of π."""
     return PI if exponent == 1 else Power(PI, exponent)
 
 
@@ -128,11 +129,12 @@ def _place(factor: Expression) -> int:
 
 
 def _factors(held: Expression) -> tuple[Expression, ...]:
+    """Return the factors of a product; other formulas are their own only factor."""
     return held.factors if isinstance(held, Product) else (held,)
 
 
 def _turned(held: Expression) -> Expression:
-    """Return a product whose leading minus sign is removed by reversing a difference among its factors."""
+    """Remove the leading minus sign of a product by reversing a difference among its factors."""
     if isinstance(held, Quotient) and isinstance(held.above, Product) and held.above.negative:
         return ratio(_turned(held.above), held.below)
     if not isinstance(held, Product) or not isinstance(held.factors[0], Number) or held.factors[0].x >= 0.0:
@@ -158,11 +160,12 @@ def _opposed(held: Expression) -> Expression:
 
 
 def _reversed(held: Expression) -> Expression:
+    """Return a difference with its terms reversed."""
     return ratio(_opposed(held.above), held.below) if isinstance(held, Quotient) else -held
 
 
 def _rooted(held: Expression) -> Expression:
-    """Return n √(a/(m b)) as √(n² a/(m b)) if n²/m is a whole number, so that the fraction is reduced."""
+    """Return n √(a/(m b)) as √(n² a/(m b)) if n²/m is an integer, so that the fraction is reduced."""
     match held:
         case Product((Number(x), Root(Quotient(above, Product((Number(y), *rest)))))) if (x * x / y).is_integer():
             return tidied(Root(ratio(multiplied(Number(x * x / y), above), reduce(multiplied, rest, ONE))))
@@ -171,7 +174,7 @@ def _rooted(held: Expression) -> Expression:
 
 
 def _fraction(held: Expression) -> Expression:
-    """A fraction without a minus sign where a difference below it can be taken the other way round; else as it is."""
+    """Remove the minus sign of a fraction if a difference in its denominator can be reversed."""
     match held:
         case Product((Number(-1.0), Quotient(above, Sum() as below))):
             return _upright(above, -below)
@@ -184,7 +187,7 @@ def _fraction(held: Expression) -> Expression:
 
 
 def _raised(base: Expression, exponent: int) -> Expression:
-    """Return a power as one would write it."""
+    """Return an integer power in its usual notation."""
     if isinstance(base, Quotient) and base.above == ONE:
         return ratio(ONE, Power(base.below, exponent))
     if isinstance(base, Call) and base.function == "exp":
@@ -193,14 +196,14 @@ def _raised(base: Expression, exponent: int) -> Expression:
 
 
 def _times(number: Number, held: Expression) -> Expression:
-    """Return a multiple, within the numerator of a fraction."""
+    """Return a multiple of a formula, with the number in the numerator of a fraction."""
     if isinstance(held, Quotient):
         return ratio(multiplied(number, held.above), held.below)
     return multiplied(number, held)
 
 
 def _outward(held: Absolute | Call, opposite: Expression) -> Expression:
-    """Return what has a negative argument, by that argument's opposite, where it is even or odd."""
+    """Return an even or odd function of a negative argument by the function of the opposite argument."""
     match held:
         case Absolute():
             return Absolute(opposite)
@@ -213,17 +216,17 @@ def _outward(held: Absolute | Call, opposite: Expression) -> Expression:
 
 
 def _opposite(held: Expression) -> Expression:
-    """Return what is negative without its sign."""
+    """Return a negative formula without its sign."""
     return ratio(-held.above, held.below) if isinstance(held, Quotient) else -held
 
 
 def _signed(held: Expression) -> Expression:
-    """Return a sum of nothing but negative terms with its sign in front."""
+    """Return a sum of negative terms with its sign in front."""
     return multiplied(Number(-1.0), -held) if isinstance(held, Sum) and held.negative else held
 
 
 def _upright(above: Expression, below: Expression) -> Expression:
-    """Return a fraction whose denominator is none, nor the root of one."""
+    """Return a quotient without a fraction, or root of a fraction, in its denominator."""
     match below:
         case Quotient(over, under):
             return ratio(multiplied(above, under), over)
@@ -234,7 +237,7 @@ def _upright(above: Expression, below: Expression) -> Expression:
 
 
 def _cancelled(factors: list[Expression]) -> Expression:
-    """Return a product without what stands in it once as a factor and once below a fraction."""
+    """Return a product without the factors that a fraction among them cancels."""
     for place, fraction in enumerate(factors):
         if isinstance(fraction, Quotient):
             below = list(fraction.below.factors if isinstance(fraction.below, Product) else (fraction.below,))
@@ -251,7 +254,7 @@ def _cancelled(factors: list[Expression]) -> Expression:
 
 
 def _squared(base: Expression, exponent: int) -> Expression:
-    """Return an even power: of each factor where one is a root, which it takes away; a number's is a number."""
+    """Return an even power factor by factor if a factor is a root, which the power removes."""
     if isinstance(base, Number):
         return Number(base.x**exponent)
     if isinstance(base, Power):

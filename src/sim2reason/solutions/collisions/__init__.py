@@ -1,1 +1,1 @@
-"""Flights between collisions, the impacts themselves, and what adds up over both."""
+"""Free flights between collisions, the collisions, and sums over both."""

@@ -1,4 +1,4 @@
-"""Pairs of bodies that do not collide, their relative motion, and which pair collides next."""
+"""Pairs of bodies that do not collide, their relative motion, and the next pair that collides."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -17,10 +17,10 @@ from sim2reason.solutions.writing.unit_latex import SPEED
 
 @dataclass(frozen=True)
 class Excluded:
-    """A pair that does not meet, in words and by its letters, with the kind of argument and its number.
+    """A pair that does not collide: its names and letters, the kind of argument and the number that proves it.
 
-    The number follows from its relative position and velocity, which `motion` tells in a sentence; on a line, `aside`
-    tells them in a few words.
+    The number follows from relative position and velocity, which the sentence `motion` states; on a line, the words
+    `aside` state them.
     """
 
     kind: str
@@ -33,7 +33,7 @@ class Excluded:
 
 
 def clauses(told: Sequence[Excluded]) -> Iterator[str]:
-    """Return a clause for each kind of argument."""
+    """Yield one clause for each kind of argument."""
     for kind, clause in CLAUSES.items():
         held = [each for each in told if each.kind == kind]
         if held:
@@ -46,47 +46,54 @@ def _pairs(held: Sequence[Excluded]) -> str:
 
 
 def _numbers(held: Sequence[Excluded]) -> str:
+    """Return the numbers of the arguments, joined as a list."""
     return joined([each.said for each in held])
 
 
 def _meet_later(held: Sequence[Excluded]) -> str:
+    """Return the clause about discs that would touch only after the end of the interval."""
     return f"{_pairs(held)} would meet, with their centres ${held[0].limit}$ apart, only at {_numbers(held)}"
 
 
 def _meet_later_in_line(held: Sequence[Excluded]) -> str:
+    """Return the clause about bodies on a line that would meet only after the end of the interval."""
     return joined([f"{each.who}, {each.aside}, would meet only at {each.said}" for each in held])
 
 
 def _reach_later(held: Sequence[Excluded]) -> str:
+    """Return the clause about bodies that would reach a wall only after the end of the interval."""
     return joined([f"{each.who}, {each.aside}, would reach {each.limit} only at {each.said}" for each in held])
 
 
 def _pass(held: Sequence[Excluded]) -> str:
+    """Return the clause about discs whose least distance exceeds the sum of their radii."""
     return f"the centres of {_pairs(held)} would be {_numbers(held)} apart where closest, more than ${held[0].limit}$"
 
 
 def _part(held: Sequence[Excluded]) -> str:
-    """Return the clause about discs that move apart: relative position and velocity have a positive product."""
+    """Return the clause about discs that separate: relative position times relative velocity is positive."""
     return f"{_pairs(held)} move apart, since {_numbers(held)} {'is' if len(held) == 1 else 'are'} positive"
 
 
 def _part_in_line(held: Sequence[Excluded]) -> str:
+    """Return the clause about bodies on a line that separate."""
     return f"{_pairs(held)} move apart at {_numbers(held)}"
 
 
 def _slide_off(held: Sequence[Excluded]) -> str:
-    """Return the clause about discs that have only slid past each other since an inelastic collision."""
+    """Return the clause about discs with only tangential relative velocity since an inelastic collision."""
     return (
         f"{_pairs(held)} keep only a relative velocity perpendicular to their line of centres, which takes them apart"
     )
 
 
 def _go_together(held: Sequence[Excluded]) -> str:
-    """Return the clause about discs that an inelastic head-on collision leaves no relative velocity at all."""
+    """Return the clause about discs without relative velocity after an inelastic head-on collision."""
     return f"{_pairs(held)} move on together at the same velocity"
 
 
 def _leave_walls(held: Sequence[Excluded]) -> str:
+    """Return the clause about bodies that move away from a wall."""
     return joined([f"{each.who} moves away from {each.limit} at {each.said}" for each in held])
 
 
@@ -103,12 +110,12 @@ CLAUSES: Mapping[str, Callable[[Sequence[Excluded]], str]] = {
 }
 
 
-LONG = 160  # characters of a formula whose number alone is written
+LONG = 160  # characters of a formula; of a longer one only the value is written
 
 
 @dataclass(frozen=True)
 class RelativeMotion:
-    """Named numbers of the relative motion of two bodies, which only the argument that they do not collide uses."""
+    """Named numbers of the relative motion of two bodies for an argument that they do not collide."""
 
     book: Book
     step: Writing
@@ -117,25 +124,26 @@ class RelativeMotion:
     names: list[Expression] = field(default_factory=list[Expression])
 
     def named(self, base: str, formula: Expression, unit: str, axis: str = "") -> Expression:
-        """Return a name for a number that is told before the argument; what is zero needs none."""
+        """Return a name for a number that is stated before the argument; zero needs no name."""
         if not self.book.value(formula):
             return ZERO
         self.names.append(self._verified(base, formula, unit, axis, self.told))
         return self.names[-1]
 
     def quotient(self) -> Expression:
-        """Return the first named number divided by the second; UnsolvedError if one of the two was zero, as a gap."""
+        """Return the first named number divided by the second; UnsolvedError if one of them was zero."""
         if len(self.names) != 2:
             raise UnsolvedError("two that touch collide as soon as they approach each other")
         return ratio(*self.names)
 
     def concluded(self, base: str, formula: Expression, unit: str) -> str:
-        """Return the equation of the number on which the argument ends."""
+        """Return the equation of the final number of the argument."""
         said: list[str] = []
         self._verified(base, formula, unit, "", said)
         return said[0]
 
     def _verified(self, base: str, formula: Expression, unit: str, axis: str, told: list[str]) -> Expression:
+        """Define a name for a number, append its equation to `told`, and return the name."""
         name = self.book.fresh(base, f"{axis},{self.letters}" if axis else self.letters)
         self.book.know(name.name, self.book.value(formula), self.book.unit_in_text(unit))
         short = len(formula.latex()) <= LONG
@@ -144,7 +152,7 @@ class RelativeMotion:
 
 
 def told_approach(flights: Impacts, step: Writing, begins: Impact, following: Impact) -> str:
-    """Return the sentence that the bodies of the `following` collision approach each other; empty if that is told."""
+    """Return the sentence that the bodies of the `following` collision approach each other; empty if it is obvious."""
     book, meeting = flights.book, flights.mechanism.meetings[following.meeting]
     pair = meeting.normal is not None and len(meeting.names) > 1 and following.meeting != begins.meeting
     if flights.timed or not pair or any(flights.acceleration(k) for b in meeting.names for k in flights.coordinates(b)):
@@ -171,7 +179,7 @@ def late_values(flights: Impacts, step: Writing) -> Iterator[str]:
 
 
 def told_before(flights: Impacts, step: Writing, last: Impact | None, until: Symbol | None) -> str:
-    """Return the sentence that the `last` collision comes before a given time; empty if nothing needs to say so."""
+    """Return the sentence that the `last` collision precedes a given time; empty if that is not needed."""
     book, time = flights.book, flights.times.get(last.number) if last is not None else None
     if book.in_symbols or time is None or until is None:
         return ""
@@ -182,17 +190,17 @@ def told_before(flights: Impacts, step: Writing, last: Impact | None, until: Sym
     return ""
 
 
-SAME = 1e-9  # relative: a collision that comes with the time itself
+SAME = 1e-9  # relative: a collision this close to a time counts as simultaneous with it
 
 
 @dataclass(frozen=True)
 class Together:
-    """An interval in which both bodies of a possible collision move freely; `legs` are their flights, by body."""
+    """An interval in which both bodies of a possible collision move freely; `legs` are their flight numbers."""
 
     meeting: int
     legs: dict[str, int]
     begins: Impact | None  # None: at the start
-    ends: Impact | None  # None: when the motion that counts ends
+    ends: Impact | None  # None: at the end time
 
     @property
     def meets(self) -> bool:
@@ -201,10 +209,10 @@ class Together:
 
 
 class Intervals:
-    """The intervals, pair by pair, of a motion that counts until a time, in s, which may be infinite."""
+    """The intervals of free motion of each pair of bodies, up to a time in s, which may be infinite."""
 
     def __init__(self, flights: Impacts, time: float) -> None:
-        """Take the flights of all bodies, and the time at which the motion ends, in s."""
+        """Take the flights of all bodies and the end time, s."""
         self._flights, self._time = flights, time
         self.early = [impact for impact in flights.impacts if impact.time < time * (1.0 - SAME)]
 
@@ -218,13 +226,13 @@ class Intervals:
 
     @property
     def at_end(self) -> list[Impact]:
-        """The collisions at the time at which the motion ends; an empty list if it has no end."""
+        """Return the collisions at the end time; empty for an infinite time."""
         if self._time == inf:
             return []
         return [held for held in self._flights.impacts if abs(held.time - self._time) <= SAME * self._time]
 
     def following(self, begins: Impact | None) -> Impact | None:
-        """Return the next collision that counts after one, or the first one."""
+        """Return the first collision after a given one, up to the end time, or the first of all for None."""
         number = 0 if begins is None else begins.number + 1
         return next((held for held in (*self.early, *self.at_end) if held.number >= number), None)
 
@@ -233,10 +241,11 @@ class Intervals:
         return held.meets and held.ends is not self.following(held.begins)
 
     def _last(self, meeting: Meeting) -> Impact | None:
-        """Return the collision that ends the motion if both bodies belong to the given meeting; else None."""
+        """Return the collision at the end time if both bodies belong to the given meeting; else None."""
         return next((held for held in self.at_end if {*held.bodies} & {*meeting.names}), None)
 
     def _number(self, body: str, begins: Impact | None) -> int:
+        """Return the number of a body's flight that follows a collision."""
         if begins is None:
             return 0
         return self._flights.count(body, begins) + (body in begins.bodies)

@@ -1,4 +1,4 @@
-"""Bodies that fly freely between impacts: where each is, and how fast, written on demand."""
+"""Positions and velocities of bodies in free flight between collisions, written on demand."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable
@@ -17,16 +17,16 @@ from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED
 
-ALIGNED = 1e-9
+ALIGNED = 1e-9  # a unit vector's component, or its difference from 1, below which directions are aligned
 
 
 class FreeFlights(ABC):
-    """All flights of a motion, by body; how one leads to the next, impacts say."""
+    """The free flights of all bodies in a motion; subclasses add the collisions between them."""
 
     def __init__(self, setting: Setting, book: Book, *, timed: bool = False) -> None:
-        """UnsolvedError for a mechanism whose bodies are bound to each other.
+        """Take the problem and the book; UnsolvedError for bodies that act on each other between collisions.
 
-        `timed`: all impacts have their times in the end, so that the text goes from one to the next.
+        With `timed`, all collisions get their times, so that the text proceeds from one to the next.
         """
         self.setting, self.book, self.mechanism, self.timed = setting, book, setting.mechanism, timed
         m = self.mechanism
@@ -42,28 +42,28 @@ class FreeFlights(ABC):
         self.struck: dict[int, dict[int, Polynomial]] = {}
         self.sums: dict[
             Symbol, tuple[Symbol, Symbol]
-        ] = {}  # times since the start: when a flight began, how long it was
-        self.flown: set[tuple[str, int]] = set()  # flights of which the text says that they go on until the moment
+        ] = {}  # for times since the start: the flight's start time and duration
+        self.flown: set[tuple[str, int]] = set()  # flights stated to last until the moment
         self.relative: dict[
             int, tuple[list[Expression], list[Expression], Symbol | None, list[str]]
-        ] = {}  # of discs that meet
+        ] = {}  # relative motion of colliding discs
         self.approaches: dict[int, tuple[dict[str, Symbol], Symbol]] = {}
 
     # ---- numbers
 
     @cached_property
     def frames(self) -> tuple[Frames, Frames]:
-        """The geometry at the start, of the mechanism and of its twin."""
+        """Return the initial geometry of the mechanism and of its twin, which has other parameters."""
         return start(self.setting.lexicon.mechanism), start(self.setting.lexicon.twin)
 
     @cached_property
     def impacts(self) -> list[Impact]:
-        """All collisions up to the moment, in order."""
+        """Return all collisions of the motion in order."""
         events = [e for e in self.setting.motion.events if e.kind == "collision"]
         return [Impact(n, e.time, e.subjects, self._meeting(e.subjects, e.time)) for n, e in enumerate(events)]
 
     def _meeting(self, bodies: tuple[str, ...], time: float) -> int:
-        """Return the meeting that takes place: of two walls the one that is there."""
+        """Return the index of the meeting of a collision; of two walls, the nearer one."""
         found = [n for n, met in enumerate(self.mechanism.meetings) if set(met.names) == set(bodies)]
         if len(found) == 1:
             return found[0]
@@ -78,12 +78,12 @@ class FreeFlights(ABC):
         return min(found, key=gap)
 
     def coordinates(self, body: str) -> dict[int, Vector]:
-        """Return the coordinates of a body, each with its direction."""
+        """Return the directions of a body's coordinates by index."""
         m = self.mechanism
         return {m.number[c.name]: c.axis for c in m.body[body].coordinates}
 
     def acceleration(self, k: int) -> Polynomial:
-        """Return what weight gives along a coordinate."""
+        """Return the gravitational acceleration along a coordinate."""
         lexicon = self.setting.lexicon
         return lexicon.of(lambda m: -m.gravity[2]) * lexicon.of(lambda m: -m.coordinates[k].axis[2])
 
@@ -92,11 +92,12 @@ class FreeFlights(ABC):
         return self.setting.lexicon.of(lambda m: m.body[body].mass)
 
     def _first(self, body: str) -> Leg:
+        """Return the initial flight of a body."""
         read = self.setting.lexicon.of
         return Leg(None, {k: read(lambda m, k=k: m.coordinates[k].speed) for k in self.coordinates(body)})
 
     def leg(self, body: str, number: int) -> Leg:
-        """Return the flight of a body after so many impacts."""
+        """Return the flight of a body after a number of its collisions."""
         legs = self._legs.setdefault(body, [self._first(body)])
         while len(legs) <= number:
             own = [impact for impact in self.impacts if body in impact.bodies]
@@ -107,7 +108,7 @@ class FreeFlights(ABC):
         return legs[number]
 
     def count(self, body: str, impact: Impact | None) -> int:
-        """Return how many impacts a body has had before one; before the moment that is asked about for None."""
+        """Return the number of a body's collisions before a given one; for None, before the moment of the question."""
         limit = len(self.impacts) if impact is None else impact.number
         early = self.impacts[:limit]
         if impact is None:
@@ -115,40 +116,40 @@ class FreeFlights(ABC):
         return sum(body in held.bodies for held in early)
 
     def pair_mark(self, bodies: Iterable[str], begins: Impact | None) -> str:
-        """Return the subscript of the relative motion of a pair: its letters, and the number of an impact.
+        """Return the subscript of the relative motion of a pair: its letters and a collision number.
 
-        It is the impact just after which the motion is told; there is no number for what is so at t = 0.
+        The motion is that just after this collision; at t = 0 there is no number.
         """
         letters = "".join(map(self.setting.mark, bodies))
         return letters if begins is None else f"{letters},{begins.number + 1}"
 
     @abstractmethod
     def when(self, impact: Impact) -> Symbol:
-        """Return when an impact comes."""
+        """Return the time of a collision."""
 
     @abstractmethod
     def event(self, time: Symbol) -> str:
-        """Return the impact that comes at a time, in words."""
+        """Return the name of the collision at a time."""
 
     @abstractmethod
     def after(self, impact: Impact) -> dict[int, Polynomial]:
-        """Return the rates of the bodies that meet, just after it."""
+        """Return the velocities of the colliding bodies just after a collision, by coordinate."""
 
     # ---- along a flight
 
     def begins(self, leg: Leg) -> Symbol | None:
-        """Return when a flight begins; None at t = 0."""
+        """Return the time at which a flight begins; None at t = 0."""
         return self.when(leg.after) if leg.after is not None else None
 
     def span(self, leg: Leg, time: Symbol) -> Symbol:
-        """Return how long a flight has lasted at a time."""
+        """Return the duration of a flight up to a time."""
         begins = self.begins(leg)
         if begins is None:
             return time
         return self.passed(begins, time)
 
     def passed(self, begins: Symbol, time: Symbol) -> Symbol:
-        """Return how long it is from one time to another."""
+        """Return the duration between two times."""
         key = (begins.name, time.name)
         if key not in self._spans:
             step, name = self.book.open(TIME), self.book.fresh("t")
@@ -159,7 +160,7 @@ class FreeFlights(ABC):
         return self._spans[key]
 
     def counted(self, begins: Symbol | None, span: Symbol) -> Symbol:
-        """Return the time since t = 0, of how long it is from another."""
+        """Return the time since t = 0 from a duration that begins at another time."""
         if begins is None:
             return span
         step, until = self.book.open(TIME), self.book.fresh("t")
@@ -169,7 +170,7 @@ class FreeFlights(ABC):
         return until
 
     def velocity(self, body: str, number: int, k: int, time: Symbol | None) -> Polynomial:
-        """Return the rate of a coordinate at a time of a flight; at its beginning for None."""
+        """Return the velocity along a coordinate at a time of a flight; for None, at its beginning."""
         leg, a = self.leg(body, number), self.acceleration(k)
         if not a or time is None or (leg.after is not None and self.begins(leg) == time):
             return leg.speeds[k]
@@ -185,7 +186,7 @@ class FreeFlights(ABC):
         return self._speeds[key]
 
     def place(self, body: str, number: int, k: int, time: Symbol | None) -> Polynomial:
-        """Return how far a body has come along a coordinate, since t = 0, at a time of a flight."""
+        """Return the displacement along a coordinate since t = 0 at a time of a flight; for None, at its beginning."""
         if number == 0 and time is None:
             return NIL
         leg = self.leg(body, number)
@@ -203,7 +204,7 @@ class FreeFlights(ABC):
         return self._places[key]
 
     def _at_wall(self, body: str, k: int, time: Symbol | None) -> Polynomial | None:
-        """Return where a wall stops it, if it hits one at that time: no kinematics is needed."""
+        """Return the displacement at which a body hits a wall at a time; None if it hits none then."""
         number = next((n for n, name in self.times.items() if name == time), None)
         if number is None or self.impacts[number].bodies != (body,):
             return None
@@ -212,6 +213,7 @@ class FreeFlights(ABC):
         return self.gap(meeting).scaled(-ways[body][1]) if ways[body][0] == k else None
 
     def _moved(self, body: str, number: int, k: int, time: Symbol) -> Polynomial:
+        """Write the displacement along a coordinate at a time of a flight, and return it."""
         leg, a = self.leg(body, number), self.acceleration(k)
         steady = number > 0 and not a and all(self.leg(body, n).speeds[k] == leg.speeds[k] for n in range(number))
         before = ZERO if steady else self.place(body, number, k, None).expression()
@@ -236,24 +238,25 @@ class FreeFlights(ABC):
         return Polynomial.of(name)
 
     def _instant(self, time: Symbol) -> str:
-        """Return the number of the collision of discs that comes at a time, as a subscript; nothing for other times."""
+        """Return the number of the collision of discs at a time, as a subscript; empty for other times."""
         impact = next((self.impacts[n] for n, name in self.times.items() if name == time), None)
         oblique = impact is not None and self.mechanism.meetings[impact.meeting].normal is None
         return self.which(impact) if impact is not None and oblique else ""
 
     def which(self, impact: Impact) -> str:
-        """Return the number of an impact, as a subscript; nothing if it is the only one before the moment."""
+        """Return the number of a collision, as a subscript; empty for the only one before the question's moment."""
         several = sum(held.time <= self.setting.time for held in self.impacts) > 1
         return str(impact.number + 1) if several else ""
 
     def _lasting(self, leg: Leg, time: Symbol) -> Expression:
-        """Return how long a flight has lasted at a time, as a name only where it has one."""
+        """Return the duration of a flight up to a time, as a name only if it has one."""
         begins = self.begins(leg)
         if begins is None:
             return time
         return self._spans.get((begins.name, time.name)) or time - begins
 
     def _axis(self, k: int) -> str:
+        """Return the words for the axis of a coordinate; empty if the body has only one."""
         label = self.mechanism.coordinates[k].label
         several = len(self.mechanism.body[self.mechanism.coordinates[k].body].coordinates) > 1
         upward = " (upward)" if self.mechanism.coordinates[k].axis[2] > 1.0 - ALIGNED else ""
@@ -266,12 +269,13 @@ class FreeFlights(ABC):
         return ",".join(part for part in (label if several else "", mark) if part)
 
     def _whose(self, body: str, k: int) -> str:
+        """Return the words that introduce a velocity along a coordinate."""
         return f"the velocity of {self.setting.called(body)}{self._axis(k)} is"
 
     # ---- what they meet
 
     def ways(self, meeting: Meeting) -> dict[str, tuple[int, float]]:
-        """Return the coordinate of each body along the normal, and its sense."""
+        """Return, by body, the coordinate along the normal of a collision and its sign; UnsolvedError if oblique."""
         if meeting.normal is None:
             raise UnsolvedError("the bodies meet at an angle")
         found: dict[str, tuple[int, float]] = {}
@@ -285,5 +289,5 @@ class FreeFlights(ABC):
         return found
 
     def gap(self, number: int) -> Polynomial:
-        """Return how far apart the two of a meeting are at t = 0."""
+        """Return the gap between the two bodies of a meeting at t = 0."""
         return gap_at_start(self.setting.lexicon, self.frames, number)

@@ -1,4 +1,4 @@
-"""Tops of paths, last bounces, sums over flights, and collisions without influence on the answer."""
+"""Highest points of trajectories, sums over flights, and collisions without influence on the answer."""
 
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
@@ -23,13 +23,13 @@ from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import UnsolvedError
 from sim2reason.solutions.writing.unit_latex import METRES
 
-BOUNDS = (("s", r"\text{top}"), ("d", r"\text{max}"))  # names of the highest point and of the greatest distance
+BOUNDS = (("s", r"\text{top}"), ("d", r"\text{max}"))  # names of the highest point and of the largest possible distance
 
 
 def tell_nearer(flights: Impacts, body: str, leg: Leg, distance: Symbol) -> None:
-    """Write that a body was nearer than a distance until a flight began: within a box whose corner is too near.
+    """Write that a body was nearer than a distance before a flight: it was inside a box with a near corner.
 
-    Nothing rests on it, and nothing is said where the corner is too far, or where numbers are not known.
+    No other step depends on it; nothing is written if the corner is too far away, or for unknown numbers.
     """
     impact, begins, book = leg.after, flights.begins(leg), flights.book
     if impact is None or begins is None or impact.bodies != (body,):
@@ -61,7 +61,7 @@ def tell_nearer(flights: Impacts, body: str, leg: Leg, distance: Symbol) -> None
 
 
 def _top(flights: Impacts, body: str, k: int) -> Expression | None:
-    """Return how far a body first rises; None if it does not."""
+    """Return the maximum height of a body above its start; None if it does not rise."""
     speed, fall = flights.leg(body, 0).speeds[k], flights.acceleration(k).scaled(-2.0)
     rises = bool(speed) and flights.book.value(speed.expression()) > 0.0
     return Power(speed.expression(), 2) / fall.expression() if rises else None
@@ -69,31 +69,31 @@ def _top(flights: Impacts, body: str, k: int) -> Expression | None:
 
 @dataclass(frozen=True, slots=True)
 class StruckBodies:
-    """A collision as a term of a sum over a motion: its energy loss, its impulses and its bodies."""
+    """A collision as a term of a sum over a motion: its energy loss, its impulse and its bodies."""
 
     flights: Flights
     impact: Impact
 
     @property
     def bodies(self) -> tuple[str, ...]:
-        """Whose it is."""
+        """Return the names of the colliding bodies."""
         return self.impact.bodies
 
     @property
     def told(self) -> str:
-        """It in words."""
+        """Return the name of the collision, such as *the second collision of A and B*."""
         return self.flights.collision(self.impact)
 
     @property
     def loses(self) -> str:
-        """Return the beginning of a sentence that says why kinetic energy is lost."""
+        """Return the beginning of a sentence with the reason for the loss of kinetic energy."""
         motion = "relative motion" if len(self.bodies) > 1 else "motion perpendicular to the surface"
         left = "keeps $e^2$ of its energy" if self.flights.restitution(self.impact.meeting) else "ends"
         return f"The {motion}{self._way} {left}, so"
 
     @property
     def pushes(self) -> str:
-        """Return the beginning of a sentence that names the laws for the impulse."""
+        """Return the beginning of a sentence with the laws that give the impulse."""
         e, pair = self.flights.restitution(self.impact.meeting), len(self.bodies) > 1
         if not pair:
             return "The impulse is the change of momentum, so"
@@ -103,13 +103,14 @@ class StruckBodies:
 
     @property
     def _way(self) -> str:
+        """Return the words *along the line of centres* for discs; empty for others."""
         return (
             " along the line of centres" if self.flights.mechanism.meetings[self.impact.meeting].normal is None else ""
         )
 
     @property
     def lost(self) -> Expression:
-        """½ (1 − e²) times what counts as the mass, times the square of the speed of approach."""
+        """Return the energy loss, ½ (1 − e²) times the reduced mass times the squared approach speed."""
         closing = self.flights.closing(self.impact)
         e = self.flights.restitution(self.impact.meeting)
         left = added(ONE, -Power(e.expression(), 2)) if e else ONE
@@ -118,7 +119,7 @@ class StruckBodies:
 
     @property
     def push(self) -> Expression:
-        """(1 + e) times what counts as the mass, times the speed of approach."""
+        """Return the impulse, (1 + e) times the reduced mass times the approach speed."""
         closing = self.flights.closing(self.impact)
         e = self.flights.restitution(self.impact.meeting).expression()
         size = closing if self.flights.book.value(closing) >= 0.0 else -closing
@@ -127,14 +128,14 @@ class StruckBodies:
 
 @dataclass(frozen=True, slots=True)
 class FlightPart(Stretch):
-    """One flight of a body."""
+    """One free flight of a body as a part of its motion."""
 
     flights: Flights
     number: int
-    until: Symbol | None  # the time at which it is left
+    until: Symbol | None  # end time; None: zero duration
 
     def path(self, body: str) -> Expression:
-        """From where the flight begins to where it ends, without a sign."""
+        """Return the distance covered during the flight."""
         own = [k for k in self.flights.coordinates(body) if self.flights.leg(body, 0).speeds.get(k) is not None]
         if len(own) != 1 or self.flights.acceleration(own[0]):
             raise UnsolvedError("it turns back in flight, or flies in a plane")
@@ -145,12 +146,12 @@ class FlightPart(Stretch):
         return held if self.flights.book.value(held) >= 0.0 else -held
 
 
-AT_TOP = frozenset({"greatest height", "least speed"})
-SAME_EXTREME = 1e-6  # relative: the value at the top is the extreme one
+AT_TOP = frozenset({"greatest height", "least speed"})  # functionals extreme at the top
+SAME_EXTREME = 1e-6  # relative: largest difference between the value at the top and the extreme value
 
 
 def at_top(setting: Setting) -> Setting | None:
-    """Return the question about the value at the top of the path; None if that is not the extreme value asked for."""
+    """Return the question about the value at the highest point; None if that is not the extreme value asked for."""
     query, study = setting.query, setting.study
     if not isinstance(query, StretchQuery) or query.functional not in AT_TOP:
         return None
@@ -167,7 +168,7 @@ def at_top(setting: Setting) -> Setting | None:
 
 
 def tell_top(flights: Impacts, body: str) -> None:
-    """Write which velocity is zero at the highest point of the path of a body."""
+    """Write which velocity component is zero at the highest point of a trajectory."""
     falls = [k for k in flights.coordinates(body) if flights.acceleration(k)]
     step, book, leg = flights.book.open("moment"), flights.book, flights.leg(body, flights.count(body, None))
     zero = f"at the highest point of the path the {_velocity(flights, body, falls[0]) if falls else 'velocity'} is zero"
@@ -181,7 +182,7 @@ def tell_top(flights: Impacts, body: str) -> None:
 
 
 def height_at_rest(flights: Impacts, body: str, k: int, *, top: bool) -> Polynomial:
-    """Write how far a body has come along a coordinate where it turns back: v² = 2 a s, without the time."""
+    """Write the displacement along a coordinate at its turning point, without the time: v² = 2 a s."""
     number, a = flights.count(body, None), flights.acceleration(k)
     leg = flights.leg(body, number)
     before, v = flights.place(body, number, k, None), leg.speeds[k].expression()
@@ -199,7 +200,7 @@ def height_at_rest(flights: Impacts, body: str, k: int, *, top: bool) -> Polynom
 
 
 def _velocity(flights: Impacts, body: str, k: int) -> str:
-    """Return which velocity a coordinate has, in words."""
+    """Return the words for the velocity component along a coordinate."""
     coordinate, who = flights.mechanism.coordinates[k], flights.setting.called(body)
     if coordinate.axis[2] > 1.0 - ALIGNED:
         return f"vertical velocity of {who}"
@@ -207,7 +208,7 @@ def _velocity(flights: Impacts, body: str, k: int) -> str:
     return f"velocity of {who} along {coordinate.label}" if plane else f"velocity of {who}"
 
 
-SAME_SPEED = 1e-9  # relative: an impact that comes with the moment itself
+SAME_SPEED = 1e-9  # relative: a collision this close to the moment counts as simultaneous with it
 
 
 def tell_uninvolved(flights: Impacts, bodies: AbstractSet[str]) -> None:
@@ -224,7 +225,7 @@ def tell_uninvolved(flights: Impacts, bodies: AbstractSet[str]) -> None:
 
 
 def _affected(first: Impact, impacts: list[Impact]) -> set[str]:
-    """Return the bodies whose motion hangs on an impact, by way of those that come later."""
+    """Return the bodies whose motion depends on a collision, also through later collisions."""
     found = {*first.bodies}
     for impact in impacts:
         if impact.number > first.number and not found.isdisjoint(impact.bodies):

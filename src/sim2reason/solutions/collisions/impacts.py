@@ -1,4 +1,4 @@
-"""Impacts between flights: when each comes, and the velocities that it leaves; written on demand."""
+"""Times of collisions and the velocities after them, written on demand."""
 
 from abc import ABC, abstractmethod
 
@@ -15,30 +15,30 @@ from sim2reason.solutions.writing.unit_latex import SECONDS, SPEED
 
 
 class Impacts(FreeFlights, ABC):
-    """The impacts between all flights of a motion; those of discs in a plane are `Flights`' own."""
+    """The collisions between free flights; subclasses solve those of discs in a plane."""
 
     @abstractmethod
     def discs_meet(self, impact: Impact) -> Symbol:
-        """Return when two discs touch."""
+        """Return the time at which two discs touch."""
 
     @abstractmethod
     def discs_part(self, impact: Impact) -> dict[int, Polynomial]:
-        """Return the rates of two discs just after their impact."""
+        """Return the velocities of two discs just after their collision, by coordinate."""
 
     def when(self, impact: Impact) -> Symbol:
-        """Return when an impact comes."""
+        """Return the time of a collision."""
         if impact.number not in self.times:
             self.times[impact.number] = self._meets(impact)
         return self.times[impact.number]
 
     def latest(self, impact: Impact) -> tuple[dict[str, int], Impact | None]:
-        """Return the flights that lead to an impact, by body, and after which impact the later of them begins."""
+        """Return the flight numbers that lead to a collision, by body, and the latest collision before it."""
         legs = {body: self.count(body, impact) for body in impact.bodies}
         begun = [held for b, n in legs.items() if (held := self.leg(b, n).after) is not None]
         return legs, max(begun, key=lambda held: held.number, default=None)
 
     def _meets(self, impact: Impact) -> Symbol:
-        """Return both followed to the later beginning of their flights, then the gap closed."""
+        """Write the time of a collision: the gap between the bodies since the later of their flights began closes."""
         meeting = self.mechanism.meetings[impact.meeting]
         if meeting.normal is None:
             return self.discs_meet(impact)
@@ -63,6 +63,7 @@ class Impacts(FreeFlights, ABC):
     def _closed(
         self, impact: Impact, motion: tuple[Polynomial, Polynomial, Polynomial], since: Symbol | None
     ) -> Symbol:
+        """Write the time at which a gap closes, given the gap, its rate and its acceleration."""
         gap, rate, rise = motion
         step, name = self.book.open("impact time"), self.book.fresh("t")
         if not rise and any(self.acceleration(k) for body in impact.bodies for k in self.coordinates(body)):
@@ -86,13 +87,13 @@ class Impacts(FreeFlights, ABC):
         return self.counted(since, name)
 
     def counted_from(self, impact: Impact, since: Symbol | None) -> str:
-        """Return the words after a time, such as *, counted from t = 0*; empty for the first impact."""
+        """Return the words after a time, such as *, counted from t = 0*; empty for the first collision."""
         if since is None:
             return ", counted from t = 0" if impact.number else ""
         return f" after {self.event(since)}"
 
     def root(self, gap: Polynomial, rate: Polynomial, rise: Polynomial, *, first: bool = True) -> Expression:
-        """Return the first time at which gap + rate t + ½ rise t² is zero, or the other one if `rate` is not zero."""
+        """Return the first root of gap + rate t + ½ rise t² = 0, or the other root if `rate` is not zero."""
         double = multiplied(Number(-2.0), multiplied(rise.expression(), gap.expression()))
         v = rate.expression()
         if not rate:
@@ -104,14 +105,14 @@ class Impacts(FreeFlights, ABC):
         return ratio(added(-v, -root), rise.expression())
 
     def met(self, impact: Impact) -> str:
-        """Return a clause about an impact, such as *Carts A and B collide again*."""
+        """Return a clause about a collision, such as *Carts A and B meet again*."""
         again = " again" if any(held.meeting == impact.meeting for held in self.impacts[: impact.number]) else ""
         if len(impact.bodies) == 1:
             return f"{capital(self.setting.called(impact.bodies[0]))} hits {self.obstacle(impact.meeting)}{again}"
         return f"{capital(self.setting.listed(list(impact.bodies)))} meet{again}"
 
     def obstacle(self, meeting: int) -> str:
-        """Return what a body hits that does not move, in words."""
+        """Return the words for a fixed obstacle, such as *the left wall*."""
         normal = self.mechanism.meetings[meeting].normal
         if normal is not None and normal[2] > 1.0 - ALIGNED:
             return "the ground"
@@ -125,12 +126,12 @@ class Impacts(FreeFlights, ABC):
         return "the left wall" if x > 0.0 else "the right wall"
 
     def event(self, time: Symbol) -> str:
-        """Return the impact that comes at a time, in words; *then* if none does."""
+        """Return the name of the collision at a time; *then* if there is none."""
         impact = next((self.impacts[n] for n, name in self.times.items() if name == time), None)
         return "then" if impact is None else self.collision(impact)
 
     def collision(self, impact: Impact) -> str:
-        """Return an impact in words."""
+        """Return the name of a collision, such as *the second impact of ball A on the ground*."""
         who = self.setting.listed(list(impact.bodies))
         same = [held.number for held in self.impacts if held.meeting == impact.meeting]
         which = f"{_ordinal(same.index(impact.number) + 1)} " if len(same) > 1 else ""
@@ -139,7 +140,7 @@ class Impacts(FreeFlights, ABC):
         return f"the {which}impact of {who} on {self.obstacle(impact.meeting)}"
 
     def flying_on(self, body: str, number: int, time: Symbol) -> None:
-        """Say that a body is still in the air at a time after it rebounded from the ground; nothing rests on it."""
+        """Write that a body is still in the air at a time after its rebound from the ground."""
         leg, book = self.leg(body, number), self.book
         impact, begins = leg.after, self.begins(leg)
         if impact is None or begins is None or impact.bodies != (body,) or begins == time:
@@ -152,7 +153,7 @@ class Impacts(FreeFlights, ABC):
         if book.is_hidden(formula) or book.is_hidden(span):
             return
         obstacle, planar = self.obstacle(impact.meeting), len(self.coordinates(body)) > 1
-        if planar and book.value(formula) <= 0.0:  # it is drawn away from the wall
+        if planar and book.value(formula) <= 0.0:  # gravity pulls the body away from the wall
             return
         step, name = book.open("verify"), book.fresh("t", r"\text{flight}")
         exceeds(book, step, formula, span)
@@ -166,7 +167,7 @@ class Impacts(FreeFlights, ABC):
         step.close()
 
     def after(self, impact: Impact) -> dict[int, Polynomial]:
-        """Return the rates of the bodies that meet, just after it."""
+        """Return the velocities of the colliding bodies just after a collision, by coordinate."""
         if impact.number not in self.struck:
             meeting = self.mechanism.meetings[impact.meeting]
             if meeting.normal is None:
@@ -181,47 +182,48 @@ class Impacts(FreeFlights, ABC):
         return self.struck[impact.number]
 
     def just_before(self, impact: Impact, body: str, k: int) -> Polynomial:
-        """Return the rate of a coordinate just before an impact."""
+        """Return the velocity along a coordinate just before a collision."""
         time = self.when(impact) if self.acceleration(k) else None
         return self.velocity(body, self.count(body, impact), k, time)
 
     def restitution(self, number: int) -> Polynomial:
-        """Return the coefficient e of a meeting."""
+        """Return the coefficient of restitution of a meeting."""
         return self.setting.lexicon.of(lambda m: m.meetings[number].restitution)
 
     def closing(self, impact: Impact) -> Expression:
-        """Along the normal, how fast the two approach just before, of either sign."""
+        """Return the signed relative velocity along the normal just before a collision."""
         ways = self.ways(self.mechanism.meetings[impact.meeting])
         speeds = [self.just_before(impact, body, k).scaled(sense) for body, (k, sense) in ways.items()]
         return (speeds[0] - speeds[1] if len(speeds) > 1 else speeds[0]).expression()
 
     def inertia(self, impact: Impact) -> Expression:
-        """Return the mass of an impact, in kg: m of a body that hits a wall, m m′/(m + m′) of two bodies."""
+        """Return the effective mass of a collision, kg: m against a wall, else the reduced mass m m′/(m + m′)."""
         masses = [self.mass(body).expression() for body in impact.bodies]
         return masses[0] if len(masses) == 1 else ratio(multiplied(*masses), added(*masses))
 
     def _rebound(self, impact: Impact) -> dict[int, Polynomial]:
+        """Write the velocities after a collision with a wall."""
         body = impact.bodies[0]
         k, _ = self.ways(self.mechanism.meetings[impact.meeting])[body]
         e, before = self.restitution(impact.meeting), self.just_before(impact, body, k)
         step, name = self.book.open("rebound"), self.book.after("v", self.mark(body, k))
         formula = (e * before).scaled(-1.0).expression()
         met = self.met(impact).replace(" hits ", " rebounds from ")
-        if impact.number in self.times:  # the text has just said from what
+        if impact.number in self.times:  # the text has just named the wall
             met = f"{capital(self.setting.called(body))} rebounds"
         step.say(f"{met} with {step.result(name, formula, SPEED, law=True)}{self._kept(body, k)}.")
         step.close()
         return {k: Polynomial.of(name)}
 
     def _kept(self, body: str, k: int) -> str:
-        """State that the velocity along a wall is unchanged, at the first rebound in a plane; else return ""."""
+        """Return the statement that the velocity along a wall is unchanged, at the first rebound in a plane."""
         others = [j for j in self.coordinates(body) if j != k]
         if not others or any(held.kind == "rebound" for held in self.book.steps):
             return ""
         return f"; its velocity along {self.mechanism.coordinates[others[0]].label} stays the same"
 
     def _collision(self, impact: Impact, meeting: Meeting) -> dict[int, Polynomial]:
-        """Momentum and restitution, both velocities."""
+        """Write both velocities after a collision, by conservation of momentum and restitution."""
         ways = self.ways(meeting)
         (one, (i, _)), (other, (j, _)) = ways.items()
         u, w = self.just_before(impact, one, i), self.just_before(impact, other, j)
@@ -231,7 +233,7 @@ class Impacts(FreeFlights, ABC):
         x, y = (Polynomial.of(name) for name in names)
         momentum = step.law((m * u + n * w).expression(), (m * x + n * y).expression())
         parting = step.law((y - x).expression(), multiplied(e.expression(), (u - w).expression()))
-        known = impact.number in self.times  # the text has just said who meets
+        known = impact.number in self.times  # the text has just named the bodies
         if any(held.kind == "impact" for held in self.book.steps):
             step.say(f"{'As before' if known else self.met(impact)}: {momentum} and {parting}.")
         else:
@@ -251,5 +253,5 @@ class Impacts(FreeFlights, ABC):
 
 
 def _ordinal(number: int) -> str:
-    """Return an ordinal in words, such as *first*, or in digits if it is large, such as *7th*."""
+    """Return an ordinal in words, such as *first*; in digits if it is large, such as *7th*."""
     return ORDINALS[number - 1] if number <= len(ORDINALS) else f"{number}th"

@@ -1,4 +1,4 @@
-"""Flights between impacts, and the impacts."""
+"""Data of free flights and collisions."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -9,7 +9,7 @@ from sim2reason.solutions.algebra.polynomials import Polynomial
 
 @dataclass
 class Leg:
-    """A flight: when it begins (None at t = 0), with which rates, and where, by coordinate."""
+    """A free flight: its start time (None for t = 0), and its initial velocities and positions by coordinate."""
 
     begins: Symbol | None
     speeds: Mapping[int, Polynomial]
@@ -19,7 +19,7 @@ class Leg:
 
 @dataclass(frozen=True)
 class Impact:
-    """A collision of the motion: its number among all, when it is, and whose."""
+    """A collision: its index in the motion, its time in s, its bodies and the index of its meeting."""
 
     number: int
     time: float  # s

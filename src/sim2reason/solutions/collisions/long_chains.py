@@ -1,4 +1,4 @@
-"""Initial gaps, and long chains of collisions."""
+"""Initial gaps between bodies, and steps of long chains of collisions combined into lists."""
 
 import re
 from collections.abc import Sequence
@@ -17,9 +17,9 @@ Side = tuple[Frames, Mechanism]
 
 
 def gap_at_start(lexicon: Lexicon, frames: tuple[Frames, Frames], number: int) -> Polynomial:
-    """Return the gap between the partners of a meeting, m; UnreadError if the text's numbers give no simple function.
+    """Return the initial gap of a meeting, m; UnreadError if it is no simple function of the stated numbers.
 
-    For a disc and a wall the gap may be a sum of three lengths: the positions of the wall and the disc, and the radius.
+    For a disc and a wall, the gap may be a sum of three lengths: the positions of wall and disc, and the radius.
     """
     sides: list[Side] = [(frames[0], lexicon.mechanism), (frames[1], lexicon.twin)]
     whole = Both(*(_place(*side, number) - side[1].meetings[number].distance for side in sides))
@@ -33,7 +33,7 @@ def gap_at_start(lexicon: Lexicon, frames: tuple[Frames, Frames], number: int) -
 
 
 def _of_three(lexicon: Lexicon, whole: Both) -> Polynomial | None:
-    """Return a gap as a length of the text, or its negative, plus a sum of two lengths; None if no length fits."""
+    """Return a gap as a stated length, or its negative, plus a sum of two lengths; None if no length fits."""
     for length in reversed(lexicon.lengths):
         for sign in (1.0, -1.0):
             try:
@@ -45,23 +45,23 @@ def _of_three(lexicon: Lexicon, whole: Both) -> Polynomial | None:
 
 
 def _place(frames: Frames, mechanism: Mechanism, number: int) -> float:
-    """Return the position of the second partner of a meeting along the normal, from the first or the room's origin."""
+    """Return the position of the second body of a meeting along the normal, relative to the first or to the origin."""
     met = mechanism.meetings[number]
     assert met.normal is not None
     other = frames.center(met.b).place
     return float(product(met.normal, other if met.a is None else minus(other, frames.center(met.a).place)))
 
 
-LONG = 6  # names that steps of these kinds give, from which on a text is easier to follow with rows
+LONG = 6  # names defined by steps of these kinds, from which on lists are easier to follow
 VELOCITY, TIME, DISPLACEMENT = "velocity in flight", "time of flight", "displacement in flight"  # kinds of steps
 GROUPED = VELOCITY, TIME, DISPLACEMENT
 ROWS = {VELOCITY: "velocities", DISPLACEMENT: "displacements"}
 SINGULAR = {"velocities": "velocity", "displacements": "displacement"}
-INSTANT = re.compile(r"At (\$[^$]*\$) ")  # with which a sentence begins about what is so then
+INSTANT = re.compile(r"At (\$[^$]*\$) ")  # matches the time with which a sentence begins
 
 
 def in_rows(steps: Sequence[Step]) -> list[Step]:
-    """Return the steps of a long text in which those of one kind stand together; of a short text as they are."""
+    """Return the steps of a long text with those of one kind combined; a short text is unchanged."""
     waiting = list(steps)
     if sum(len(step.gives) for step in waiting if step.kind in GROUPED) < LONG:
         return waiting
@@ -74,14 +74,14 @@ def in_rows(steps: Sequence[Step]) -> list[Step]:
             group += more
             told.update(step.id for step in more)
             waiting = [step for step in waiting if step.id not in told]
-        rows = group if kind == TIME else [_row(group)]  # each time is counted from another event
+        rows = group if kind == TIME else [_row(group)]  # times count from different events
         place |= {step.id: (step if kind == TIME else group[0]).id for step in group}
         found += rows
     return [replace(s, needs=tuple(sorted({place[n] for n in s.needs if n in place} - {s.id}))) for s in found]
 
 
 def without_repeats(steps: Sequence[Step]) -> list[Step]:
-    """Return steps about several collisions with what was said of an earlier one left out."""
+    """Remove from steps about several collisions the sentences that an earlier step contains."""
     said, found = set[str](), list[Step]()
     for step in steps:
         text, (lead, *_) = step.text, step.text.split("$", 1)
@@ -96,7 +96,7 @@ def without_repeats(steps: Sequence[Step]) -> list[Step]:
 
 
 def _row(group: Sequence[Step]) -> Step:
-    """Return steps of one kind combined, with a list of formulas for each instant; a single step as it is."""
+    """Combine steps of one kind into a list of formulas for each instant; a single step is unchanged."""
     if group[0].kind not in ROWS or len(group) == 1:
         return group[0]
     rows: dict[str, list[str]] = {}

@@ -1,4 +1,4 @@
-"""Collisions of discs in a plane, and the side of its start on which a body is."""
+"""Oblique collisions of discs in a plane, and checks of the side of its start on which a body is."""
 
 from collections.abc import Sequence
 
@@ -19,31 +19,31 @@ INELASTIC = "Conservation of momentum, and no relative velocity along this line 
 
 
 class Flights(Impacts):
-    """All flights of a motion, and the impacts between them."""
+    """The free flights of all bodies and their collisions, those of discs included."""
 
     def discs_meet(self, impact: Impact) -> Symbol:
-        """Return when their centres are as far apart as the radii say."""
+        """Return the time at which the distance of the centres equals the sum of the radii."""
         return _meet(self, impact)
 
     def approach(self, impact: Impact) -> tuple[dict[str, Symbol], Symbol]:
-        """Along which line two discs touch, and how fast they approach along it; written once."""
+        """Return the line of centres, by axis, and the approach velocity along it; both are written once."""
         if impact.number not in self.approaches:
             self.approaches[impact.number] = _approach(self, impact)
         return self.approaches[impact.number]
 
     def closing(self, impact: Impact) -> Expression:
-        """Along the normal, how fast the two approach just before."""
+        """Return the signed relative velocity along the normal just before a collision."""
         if self.mechanism.meetings[impact.meeting].normal is None:
             return self.approach(impact)[1]
         return super().closing(impact)
 
     def discs_part(self, impact: Impact) -> dict[int, Polynomial]:
-        """Return the velocities, in m/s, after a collision of discs, by the number of the coordinate."""
+        """Return the velocities after a collision of discs, m/s, by coordinate."""
         return _part(self, impact)
 
 
 def _meet(flights: Impacts, impact: Impact) -> Symbol:
-    """Return when the centres are as far apart as the radii say: (p t + q)² + c² = p d², p = u², q = X·u, c = X×u."""
+    """Write the time at which two discs touch: (p t + q)² + c² = p d², p = u², q = X·u, c = X×u."""
     X, u, since, _ = _relative(flights, impact)
     if (axis := _only_axis(u)) is not None:
         return _meet_along(flights, impact, axis)
@@ -62,7 +62,7 @@ def _meet(flights: Impacts, impact: Impact) -> Symbol:
         step.result(q, along, latex("m^2/s"), law=True),
     ]
     aside: Expression = ZERO
-    if len(X) > 1:  # |X|² |u|² = (X·u)² + (X×u)²: q² − p |X|² would leave few digits where they hardly touch
+    if len(X) > 1:  # |X|² |u|² = (X·u)² + (X×u)²: q² − p |X|² would lose digits in a grazing collision
         c = book.fresh("c", pair)
         said.append(step.result(c, X[0] * u[1] - X[1] * u[0], latex("m^2/s"), law=True))
         aside = Power(c, 2)
@@ -76,7 +76,7 @@ def _meet(flights: Impacts, impact: Impact) -> Symbol:
 
 
 def _meet_along(flights: Impacts, impact: Impact, axis: int) -> Symbol:
-    """Return when discs meet whose relative velocity is along one axis: x + u t = ±√(d² − y²)."""
+    """Write the time at which discs touch whose relative velocity is along one axis: x + u t = ±√(d² − y²)."""
     X, u, since, labels = _relative(flights, impact)
     book, distance = flights.book, _distance(flights, impact)
     step, t = book.open("impact time"), book.fresh("t")
@@ -96,22 +96,23 @@ def _meet_along(flights: Impacts, impact: Impact, axis: int) -> Symbol:
 
 
 def _only_axis(u: Sequence[Expression]) -> int | None:
-    """Return the index of the only axis along which two discs move relative to each other; None if there are two."""
+    """Return the index of the only axis with relative velocity; None if there are several."""
     moving = [number for number, w in enumerate(u) if w != ZERO]
     return moving[0] if len(moving) == 1 else None
 
 
 def _ahead(flights: Impacts, velocity: Expression, size: Expression) -> Expression:
-    """Return a magnitude with the sign of a relative coordinate: the opposite of that of the velocity of approach."""
+    """Return a magnitude with the sign opposite to that of a relative velocity."""
     return size if flights.book.value(velocity) < 0.0 else -size
 
 
 def _distance(flights: Impacts, impact: Impact) -> Expression:
+    """Return the sum of the radii of two discs."""
     return flights.setting.lexicon.of(lambda m: m.meetings[impact.meeting].distance).expression()
 
 
 def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[Expression], Symbol | None, list[str]]:
-    """From the first to the second: where, and how fast, when the later of the two flights begins; told once."""
+    """Return relative position, velocity, its time and axis names at the start of the later flight; written once."""
     if impact.number in flights.relative:
         return flights.relative[impact.number]
     legs, latest = flights.latest(impact)
@@ -128,7 +129,7 @@ def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[
         w = flights.velocity(other, legs[other], j, since) - flights.velocity(one, legs[one], i, since)
         if flights.acceleration(i) - flights.acceleration(j):
             raise ValueError("discs that are accelerated differently")
-        if apart or w:  # along an axis on which nothing differs nothing happens
+        if apart or w:  # axes without relative position and velocity are omitted
             found.append((flights.mechanism.coordinates[i].label, apart, w))
     step = flights.book.open("relative")
     if any(flights.acceleration(i) for i in flights.coordinates(one)):
@@ -148,9 +149,9 @@ def _relative(flights: Impacts, impact: Impact) -> tuple[list[Expression], list[
 def _named(
     flights: Impacts, step: Writing, found: Sequence[tuple[str, Polynomial, Polynomial]], pair: str
 ) -> tuple[list[Expression], list[Expression], list[str]]:
-    """Return names of relative coordinates and velocities, which a step tells, and the equations; zeros need no names.
+    """Return names of nonzero relative coordinates and velocities, with the equations that define them.
 
-    Nor does the coordinate along the only axis of the relative velocity, which is told only where a time is asked for.
+    The coordinate along the only axis of the relative velocity gets no name: only the collision time depends on it.
     """
     X, u, said = list[Expression](), list[Expression](), list[str]()
     along = _only_axis([w.expression() for _, _, w in found])
@@ -168,7 +169,7 @@ def _named(
 
 
 def _approach(flights: Impacts, impact: Impact) -> tuple[dict[str, Symbol], Symbol]:
-    """The direction of the line of centres, by axis, and how fast the discs approach along it, with a minus sign."""
+    """Write the line of centres, by axis, and the relative velocity along it, which is negative."""
     book, number = flights.book, flights.which(impact)
     _, u, _, labels = _relative(flights, impact)
     parts, when = _normal(flights, impact)
@@ -181,7 +182,7 @@ def _approach(flights: Impacts, impact: Impact) -> tuple[dict[str, Symbol], Symb
     along = summed(multiplied(w, m) for w, m in zip(u, n.values(), strict=True))
     step.say(f"The relative velocity along the line is {step.result(approach, along, SPEED, law=True)}.")
     step.close()
-    for label in across:  # which only velocities after the collision depend on
+    for label in across:  # needed only for velocities after the collision
         name, part = n[label], parts[labels.index(label)]
         book.told("normal", f"The {label} component of the unit vector is", name, part)
     return n, approach
@@ -190,7 +191,7 @@ def _approach(flights: Impacts, impact: Impact) -> tuple[dict[str, Symbol], Symb
 def _normal(flights: Impacts, impact: Impact) -> tuple[list[Expression], str]:
     """Return the components of the unit vector along the line of centres, and the words before them.
 
-    Where the relative velocity is along one axis, no time is needed: the offset y gives sin φ = y/d.
+    If the relative velocity is along one axis, no time is needed: the offset y gives sin φ = y/d.
     """
     X, u, since, labels = _relative(flights, impact)
     distance, axis = _distance(flights, impact), _only_axis(u)
@@ -209,7 +210,7 @@ def _normal(flights: Impacts, impact: Impact) -> tuple[list[Expression], str]:
 
 
 def _part(flights: Flights, impact: Impact) -> dict[int, Polynomial]:
-    """Return the velocities just after: each changes along the line of centres alone."""
+    """Write the velocities just after a collision: each changes only along the line of centres."""
     book, (n, approach) = flights.book, flights.approach(impact)
     one, other = impact.bodies
     m, k = (flights.mass(body).expression() for body in impact.bodies)
@@ -236,9 +237,9 @@ def _part(flights: Flights, impact: Impact) -> dict[int, Polynomial]:
 
 
 def tell_side(flights: Flights, body: str, k: int, distance: Symbol) -> None:
-    """Write that a body is less than a distance from its start until its last flight, and where it then moves.
+    """Write that a body stays within a distance of its start until its last flight, and its direction after that.
 
-    Where numbers are unknown, it is written in the end; in symbols the problem assumes it.
+    With unknown numbers it is written at the end; a symbolic problem assumes it.
     """
     book, number = flights.book, flights.count(body, None)
     ends = [flights.place(body, n, k, None).expression() for n in range(1, number + 1)]
@@ -252,6 +253,7 @@ def tell_side(flights: Flights, body: str, k: int, distance: Symbol) -> None:
 
 
 def _tell(flights: Flights, body: str, k: int, distance: Symbol, motion: tuple[list[Expression], Expression]) -> None:
+    """Write the sentences of `tell_side` with the comparisons that they need."""
     book, (ends, speed), leg = flights.book, motion, flights.leg(body, flights.count(body, None))
     assert leg.after is not None
     sizes = [-end if book.value(end) < 0.0 else end for end in ends if end != ZERO]

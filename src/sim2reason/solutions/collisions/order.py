@@ -1,4 +1,4 @@
-"""The order of collisions: why no other pair meets before the next one, and none after the last one."""
+"""The order of collisions: proofs that no other pair collides before the next one, or after the last one."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -27,16 +27,16 @@ from sim2reason.solutions.writing.lexicon import Both
 from sim2reason.solutions.writing.steps import Writing
 from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED, latex
 
-ORDER = "order of collisions"  # the kind of these steps
-STILL = 1e-12  # m/s or m²/s: no relative motion
-SLOW = 1e-9  # m/s: what is left along no line after a head-on collision is rounding
+ORDER = "order of collisions"  # kind of these steps
+STILL = 1e-12  # m/s or m²/s: smaller relative motions count as zero
+SLOW = 1e-9  # m/s: smaller velocities after a head-on collision are rounding errors
 
 
 class CollisionOrder:
     """A writer of the reasons why no other pair collides before the next collision, up to a given time."""
 
     def __init__(self, flights: Impacts, time: float) -> None:
-        """Take all flights; the motion counts until `time`, s, which may be infinite."""
+        """Take all flights and the end time, s, which may be infinite."""
         self._flights, self._book, self._time, self._held = flights, flights.book, time, Intervals(flights, time)
         self._until: Symbol | None = None
         self._first = len(self._book.steps)  # the number of the first step about these flights
@@ -50,7 +50,7 @@ class CollisionOrder:
             self._flights.after(impact)
 
     def _tell_all(self, impact: Impact, time: Symbol) -> None:
-        """Write where all discs are and how fast, just before a collision, before the next one is looked for."""
+        """Write the positions and velocities of all discs just before a collision."""
         flights = self._flights
         if flights.mechanism.meetings[impact.meeting].normal is not None:
             return
@@ -61,9 +61,9 @@ class CollisionOrder:
                 flights.velocity(body.name, number, k, time)
 
     def tell(self, until: Symbol | None) -> None:
-        """Write a sentence for the start and for each collision after which it is not obvious who meets next.
+        """Write why no other bodies collide first: at the start, and after each collision where it is not obvious.
 
-        `until` names the time until which the motion counts; None if it never ends.
+        `until` is the symbol of the end time; None if the motion has no end.
         """
         self._until = until
         for begins in (None, *self._early):
@@ -72,9 +72,9 @@ class CollisionOrder:
                 self._tell_next(begins)
 
     def _tell_apart(self, begins: Impact | None) -> None:
-        """Write which bodies do not collide with the velocities that they have after a collision, or at the start.
+        """Write which bodies do not collide with their velocities after a collision, or at the start.
 
-        At the start, bodies that would collide only later are among them: the first collision is shown to be the first.
+        At the start they include bodies that would collide later, which proves that the first collision is the first.
         """
         step, told = self._book.open(ORDER), list[Excluded]()
         for stretch in self._held:
@@ -89,7 +89,7 @@ class CollisionOrder:
             self._close(step)
 
     def _tell_next(self, begins: Impact) -> None:
-        """Write why bodies collide next, if no times of collisions show it."""
+        """Write why two bodies collide next, unless the times of collisions show it."""
         step, following = self._book.open(ORDER), self._held.following(begins)
         if self._flights.timed or following is None:
             return
@@ -104,13 +104,14 @@ class CollisionOrder:
             self._close(step)
 
     def _close(self, step: Writing) -> None:
+        """Close a step and record the earliest step it may follow."""
         step.close()
         self._book.earliest[self._book.steps[-1].id] = self._first
 
     # ---- why two do not meet
 
     def _excluded(self, step: Writing, held: Together) -> Excluded | None:
-        """Return why partners do not meet while they fly freely; None if that is obvious, or if they do meet."""
+        """Return the argument why a pair does not collide in an interval; None if obvious or if it collides."""
         meets = held.meets and not self._held.is_late(held)
         meeting = self._flights.mechanism.meetings[held.meeting]
         just_met = held.begins is not None and held.begins.meeting == held.meeting
@@ -121,7 +122,7 @@ class CollisionOrder:
         return self._in_line(step, held, just_met=just_met)
 
     def _touching(self, held: Together) -> Excluded | None:
-        """Return why two discs that touch after an inelastic collision do not collide again; else None."""
+        """Return why two discs in contact after an inelastic collision do not collide again; else None."""
         flights = self._flights
         if flights.restitution(held.meeting):
             return None
@@ -130,7 +131,7 @@ class CollisionOrder:
         return self._excluded_by("touching" if any(abs(u) > SLOW for u in apart) else "together", held, "")
 
     def _aside(self, step: Writing, held: Together, meeting: Meeting) -> Excluded | None:
-        """Return why two discs do not collide in an interval."""
+        """Return the argument why two discs do not collide in an interval; None if they do not move."""
         flights, book = self._flights, self._book
         d = flights.setting.lexicon.of(lambda m: m.meetings[held.meeting].distance).expression()
         parts = [part for part in self._relative(held, meeting) if any(map(book.value, part[1:]))]
@@ -162,7 +163,7 @@ class CollisionOrder:
         return replace(found, limit=d.latex(), motion=told)
 
     def _in_line(self, step: Writing, held: Together, *, just_met: bool) -> Excluded | None:
-        """Return why two bodies on a line, or a body and a wall, do not collide in an interval."""
+        """Return the argument why two bodies on a line, or a body and a wall, do not collide in an interval."""
         flights, book = self._flights, self._book
         ways, meeting = flights.ways(flights.mechanism.meetings[held.meeting]), flights.mechanism.meetings[held.meeting]
         begin, gap, rate, rise = self._begin(held), flights.gap(held.meeting), NIL, NIL
@@ -206,16 +207,16 @@ class CollisionOrder:
         return replace(found, aside=f"which leaves {obstacle} at {joined(motion.told)}", limit=f"{obstacle} again")
 
     def _approaching(self, motion: RelativeMotion, held: Together, span: Expression, moving: str) -> Excluded:
-        """Return the argument that a distance along a line is zero only after the end of an interval."""
+        """Return the argument that a distance along a line vanishes only after the end of an interval."""
         pair, obstacle = len(held.legs) > 1, self._flights.obstacle(held.meeting)
         apart, *speed = motion.told
         aside = f"{apart} {'apart' if pair else f'from {obstacle}'}{moving if speed else ''} {''.join(speed)}".strip()
         return replace(self._later(motion, held, span), aside=aside, limit=obstacle)
 
     def _later(self, motion: RelativeMotion, held: Together, span: Expression) -> Excluded:
-        """Return the argument that two bodies would collide only after the end of an interval, at a time since t = 0.
+        """Return the argument that two bodies would collide only after the interval, at a time since t = 0.
 
-        Two that do collide then are shown not to be the next to do so.
+        If the two bodies do collide then, this proves that others collide before.
         """
         flights = self._flights
         ends = self._held.following(held.begins) if held.meets else held.ends
@@ -229,12 +230,13 @@ class CollisionOrder:
         return self._excluded_by(kind, held, motion.concluded("t", whole, SECONDS))
 
     def _excluded_by(self, kind: str, held: Together, said: str) -> Excluded:
+        """Return the argument of a kind for the pair of an interval."""
         return Excluded(kind, self._flights.setting.listed(list(held.legs)), self._letters(held), said)
 
     # ---- the motion without what gravity adds to all of it
 
     def _relative(self, held: Together, meeting: Meeting) -> Iterator[tuple[str, Expression, Expression]]:
-        """Yield each axis with position and velocity of the second body relative to the first at the beginning."""
+        """Yield each axis with the relative position and velocity of a pair at the start of an interval."""
         flights = self._flights
         since = None if held.begins is None else flights.when(held.begins)
         one, other = meeting.names
@@ -262,10 +264,11 @@ class CollisionOrder:
         return place + velocity * (time - before), velocity
 
     def _begin(self, held: Together) -> Polynomial:
+        """Return the time at which an interval begins."""
         return self._since_start(None if held.begins is None else self._flights.when(held.begins))
 
     def _since_start(self, time: Symbol | None) -> Polynomial:
-        """Return a time as a sum of those that the text has, counted from the start."""
+        """Return a time since the start as a sum of the durations in the text."""
         if time is None:
             return NIL
         if time in self._flights.sums:
@@ -276,19 +279,21 @@ class CollisionOrder:
     # ---- words
 
     def _letters(self, held: Together) -> str:
+        """Return the letters of a pair."""
         return "".join(map(self._flights.setting.mark, held.legs))
 
     def _when(self, held: Together) -> str:
-        """Return at which instant an interval begins, in words."""
+        """Return the words for the instant at which an interval begins."""
         if held.begins is None:
             return "at t = 0"
         return f"just after {self._flights.event(self._flights.when(held.begins))}"
 
     def _lead(self, begins: Impact | None) -> str:
+        """Return the words that begin a sentence about the motion after a collision."""
         return f"After {self._flights.event(self._flights.when(begins))}," if begins is not None else "Undisturbed,"
 
     def _hence(self, begins: Impact | None) -> str:
-        """Return what follows about the next collision, where these are the last ones to be excluded."""
+        """Return the conclusion about the next collision if no further exclusions follow."""
         following = self._flights.impacts[0] if begins is None and self._flights.impacts else None
         if following is not None and (self._time == inf or following.time <= self._time * (1.0 + 1e-9)):
             return f", so {self._meet(following)} first"
@@ -301,5 +306,6 @@ class CollisionOrder:
         return "" if self._held.at_end else f", so there is no further collision before {until}"
 
     def _meet(self, impact: Impact) -> str:
+        """Return a clause about a collision."""
         met = self._flights.met(impact)
         return met[:1].lower() + met[1:]

@@ -1,4 +1,4 @@
-"""Where the arguments about the order of collisions stand among the other steps."""
+"""Positions of the arguments about the order of collisions among the other steps."""
 
 from collections.abc import Mapping, Sequence
 from collections.abc import Set as AbstractSet
@@ -6,18 +6,18 @@ from collections.abc import Set as AbstractSet
 from sim2reason.solutions.collisions.order import ORDER
 from sim2reason.solutions.solution import Step
 
-LAST = "so there is no further collision"  # ends an argument about the last flights, but for the time until when
-SOLVED = "solve for the unknown"  # the kind of the steps that do so
+LAST = "so there is no further collision"  # ends the argument about the last flights, before the end time
+SOLVED = "solve for the unknown"  # kind of the steps that solve for the unknown
 
-OUTCOME = frozenset({"after", "solve"})  # the kinds of the steps that give velocities just after a collision
+OUTCOME = frozenset({"after", "solve"})  # kinds of the steps that give velocities just after a collision
 
 
 def in_order(steps: Sequence[Step], earliest: Mapping[int, int], late: AbstractSet[str]) -> list[Step]:
-    """Put each argument after the last step from which its numbers follow, and after the time of the first collision.
+    """Move each argument behind the steps that its numbers follow from and behind the first collision time.
 
-    That is the first one among the steps from a number on, which `earliest` has by the number of the argument.
-    An argument with one of the names that are known only `late`, at the end, stays where it is; what it will show is
-    supposed before the unknown is solved for.
+    `earliest` has, for each argument, the index of the step from which on that collision is sought. An argument with
+    names that are known only at the end, `late`, stays in its position; its conclusion is assumed before the unknown is
+    solved for.
     """
     found = [step for step in steps if step.kind != ORDER or not late.isdisjoint(step.symbols())]
     for step in steps:
@@ -36,7 +36,7 @@ def in_order(steps: Sequence[Step], earliest: Mapping[int, int], late: AbstractS
 
 
 def _with_supposition(steps: Sequence[Step]) -> list[Step]:
-    """Return steps with a sentence before the unknown is solved for that says what is verified only after that."""
+    """Insert a sentence before the unknown is solved for, with the assumptions verified only later."""
     solved = next((n for n, step in enumerate(steps) if step.kind == SOLVED), len(steps))
     late = next((step for step in steps[solved:] if step.kind == ORDER and LAST in step.text), None)
     if late is None:

@@ -1,1 +1,1 @@
-"""Motions of a body in fields: of a charge in electric and magnetic ones, of a planet about what attracts it."""
+"""Motion of a charge in electric and magnetic fields, and of a planet in the gravity of its star."""

@@ -1,4 +1,4 @@
-"""What fields and a medium do to the energy of a charged body up to a moment; magnetic forces do no work."""
+"""Energy of a charged body in fields and a medium; magnetic forces do no work."""
 
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol
 from sim2reason.solutions.algebra.functions import Power, Root
@@ -14,14 +14,14 @@ HALF = Number(0.5)
 
 
 class FieldEnergy:
-    """The works of what acts, written as they are needed."""
+    """Works and energies of a charged body up to a moment, written as they are needed."""
 
     def __init__(self, known: Way, moment: FieldMoment) -> None:
-        """`known` tells how far the body has come by the moment, and how fast it is."""
+        """Take the motion `known`, with displacement and velocity at the moment, and the moment in the fields."""
         self.known, self.moment, self.fields, self.book = known, moment, moment.fields, known.book
 
     def potential(self) -> Expression:
-        """Return the work of the electric force along its axis; UnsolvedError where that has none of its own."""
+        """Return the work of the electric force along its axis; UnsolvedError for a field without a potential."""
         drive, mass = self.fields.drive, self.fields.mass
         if drive is None:
             return ZERO
@@ -43,14 +43,14 @@ class FieldEnergy:
         return HALF * self.fields.mass * (square - first)
 
     def _square(self) -> Expression:
-        """Of the speed."""
+        """Return the square of the speed at the moment."""
         if self.moment.speed is not None:
             return Power(self.moment.speed, 2)
         last = magnitude(self.known.vector("v", self.fields.body), self.known, VELOCITIES, self.fields.body)
         return last.inside if isinstance(last, Root) else squared(last)
 
     def work(self) -> Symbol:
-        """Return what the electric field does."""
+        """Write the work of the electric field and return its symbol."""
         if self.fields.damping is None:
             formula = self._gained()
             said = "The magnetic force does no work, so the work of the electric force is the gain in kinetic energy,"
@@ -60,7 +60,7 @@ class FieldEnergy:
         return self.book.told("work", said, self.book.fresh("W"), formula, JOULES)
 
     def lost(self) -> Symbol:
-        """Return what the medium takes: the work of the electric force, less what is gained in kinetic energy."""
+        """Write the energy lost to the medium: the electric work minus the gain in kinetic energy."""
         work: Expression = self.potential()
         if work != ZERO:
             said = "The work of the electric force is"

@@ -1,4 +1,4 @@
-"""The forces of fields on a charged body in a plane, over its mass, in the symbols of the text."""
+"""Forces per unit mass on a charged body in a plane, in the symbols of the text."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -17,23 +17,23 @@ from sim2reason.solutions.writing.unit_latex import ACCELERATION, ANGULAR_SPEED,
 
 AXES = ("x", "y")
 LAW = "Newton's second law"
-TURNS = (1.0, -1.0)  # of the velocity: a_x = Ω v_y, a_y = −Ω v_x
+TURNS = (1.0, -1.0)  # signs of the magnetic acceleration: a_x = Ω v_y, a_y = −Ω v_x
 
 
 @dataclass(frozen=True, slots=True)
 class Drive:
-    """The acceleration by an electric field along one axis: strength + growth t, or times cos(νt + φ), or + slope s."""
+    """The electric acceleration along an axis: strength + growth t, or strength cos(νt + φ), or strength + slope s."""
 
     axis: int
     strength: Symbol
     growth: Symbol | None = None
     frequency: Expression | None = None
     slope: Symbol | None = None
-    along: int = 0  # the axis on which its place matters
+    along: int = 0  # axis along which the field varies
     phase: Expression = ZERO
 
     def at(self, time: Expression, moved: Callable[[int], Expression]) -> Expression:
-        """Return its value at a time, and at a place if that matters."""
+        """Return the acceleration at a time, and at a position if it depends on it."""
         if self.frequency is not None and (time != ZERO or self.phase != ZERO):
             return self.strength * Call("cos", self.angle(time))
         if self.slope is not None:
@@ -47,10 +47,10 @@ class Drive:
 
 
 class Fields:
-    """All that acts on one body; UnsolvedError where that is of another kind."""
+    """The forces on one charged body in fields; UnsolvedError for forces of other kinds."""
 
     def __init__(self, setting: Setting, book: Book, body: str, *, start: bool) -> None:
-        """`start`: only the forces at the start matter, when the body is at the origin."""
+        """Read the forces on a body; with `start`, only those at the start count, with the body at the origin."""
         self.start = start
         self.setting, self.book, self.body = setting, book, body
         m = setting.mechanism
@@ -62,7 +62,7 @@ class Fields:
         self._checked()
 
     def _component(self, axis: str) -> Symbol:
-        """Return the name of a component of the velocity: another one where it has a value in another case."""
+        """Return the symbol of a velocity component, a new one if the usual one has a value in another case."""
         usual = Symbol(f"v_{axis}")
         if usual.name not in self.book.values or usual.name in self.book.stated:
             return usual
@@ -70,7 +70,7 @@ class Fields:
         return self.book.fresh("v", axis)
 
     def _checked(self) -> None:
-        """Check that the equations of motion are linear with constant coefficients."""
+        """Raise UnsolvedError unless the equations of motion are linear with constant coefficients."""
         for law in (self.setting.mechanism.forces[number].law for number in self.forces):
             if isinstance(law, Magnetic) and (law.profile.uniform or self.start):
                 continue
@@ -80,10 +80,11 @@ class Fields:
                 raise UnsolvedError("what acts leaves no closed form")
 
     def _read(self, number: Callable[[Mechanism], float]) -> Polynomial:
+        """Return a number of the mechanism in the symbols of the text."""
         return self.setting.lexicon.of(number)
 
     def _of(self, kind: type) -> int | None:
-        """Return the number of the force of a kind."""
+        """Return the index of the force of a kind, or None."""
         return next((n for n in self.forces if isinstance(self.setting.mechanism.forces[n].law, kind)), None)
 
     # ---- what acts
@@ -95,12 +96,12 @@ class Fields:
 
     @cached_property
     def instant(self) -> Symbol:
-        """Return the symbol t of the time of the moment that a question asks about."""
+        """Return the symbol t of the moment of the question."""
         return self.book.fresh("t")
 
     @cached_property
     def _charge(self) -> str:
-        """A sentence for the sign of a charge of which the text says the magnitude; empty if it is positive."""
+        """Return a sentence about the sign of a charge of stated magnitude; empty if it is positive."""
         body, given = self.setting.scene.bodies[self.body], self.setting.given(f"{self.body}.charge")
         if given is None or not isinstance(body, ChargedBead) or body.sign == "positive":
             return ""
@@ -108,7 +109,7 @@ class Fields:
 
     @cached_property
     def turning(self) -> Symbol | None:
-        """Ω = qB/m: how fast the magnetic field turns the velocity, clockwise if positive."""
+        """Return Ω = qB/m, the angular velocity of the velocity vector, positive if clockwise; None without a field."""
         number = self._of(Magnetic)
         if number is None:
             return None
@@ -119,7 +120,7 @@ class Fields:
 
     @cached_property
     def damping(self) -> Symbol | None:
-        """b/m of a medium."""
+        """Return b/m, the linear drag per unit mass and velocity; None without linear drag."""
         number = self._of(Resistance)
         if number is None or self.resists:
             return None
@@ -129,13 +130,13 @@ class Fields:
 
     @property
     def resists(self) -> bool:
-        """Return whether a medium resists by the square of the speed."""
+        """Return whether the medium exerts quadratic drag."""
         number = self._of(Resistance)
         return number is not None and bool(getattr(self.setting.mechanism.forces[number].law, "quadratic", 0.0))
 
     @cached_property
     def drag(self) -> Expression:
-        """The c v/m by which a medium slows it at first that resists by the square of the speed."""
+        """Return c v/m, the initial quadratic drag per unit mass and velocity; zero without quadratic drag."""
         number = self._of(Resistance)
         square = (
             self._read(lambda m: getattr(m.forces[number or 0].law, "quadratic", 0.0)) if number is not None else None
@@ -149,7 +150,7 @@ class Fields:
 
     @cached_property
     def drive(self) -> Drive | None:
-        """The electric field."""
+        """Write the electric acceleration and return it; None without an electric field."""
         number = self._of(Push)
         if number is None:
             return None
@@ -188,7 +189,7 @@ class Fields:
         return self._of(Push) is not None
 
     def _where(self, profile: Profile) -> str:
-        """Return when or where the electric field has the strength that the text says; empty if it has it always."""
+        """Return words for the time or position of the stated field strength; empty for a uniform field."""
         if profile.uniform:
             return ""
         given = self.setting.given(f"{self.body.rpartition('.')[0]}.electric.strength")
@@ -200,7 +201,7 @@ class Fields:
         return f"{strength}{where}; {there} " if strength else f"{where}, "
 
     def _part(self, number: int, field: str, axis: int) -> Expression:
-        """Return a number of the profile of a push, signed along an axis."""
+        """Return a number of an electric field's profile, signed along an axis."""
 
         def signed(m: Mechanism) -> float:
             law = m.forces[number].law
@@ -211,12 +212,12 @@ class Fields:
 
     @cached_property
     def places(self) -> list[Symbol]:
-        """The coordinates as functions of time."""
+        """Return the symbols of the coordinates as functions of time."""
         return [self.book.fresh(axis) for axis in AXES]
 
     @cached_property
     def law(self) -> str:
-        """Write the equations of motion; return the label of that step, on which what solves them rests."""
+        """Write the equations of motion and return the label of that step."""
         step = self.book.open("equations of motion")
         if self.resists:
             factor = (ONE + self.drag * self.clock).latex()
@@ -248,7 +249,7 @@ class Fields:
     def acceleration(
         self, axis: int, time: Expression, rate: Callable[[int], Expression], moved: Callable[[int], Expression]
     ) -> Expression:
-        """Newton's law over the mass: what all forces add up to."""
+        """Return the acceleration along an axis: the sum of all forces over the mass."""
         found: Expression = ZERO
         if self.drive is not None and self.drive.axis == axis:
             found = found + self.drive.at(time, moved)
@@ -261,18 +262,19 @@ class Fields:
         return found
 
     def speed(self, first: Expression, time: Expression) -> Expression:
-        """Return the speed at a time, in m/s, that only a medium has reduced since the start."""
+        """Return the speed at a time, m/s, if only drag has changed it since the start."""
         if self.damping is not None:
             return first * Call("exp", -(self.damping * time))
         return first / (ONE + self.drag * time)
 
 
 def _profile(force: Force) -> Profile:
+    """Return the profile of an electric field."""
     assert isinstance(force.law, Push)
     return force.law.profile
 
 
 def _magnetic(force: Force) -> float:
-    """Return the product of charge and field, positive along z."""
+    """Return the product of charge and magnetic field, positive along z."""
     assert isinstance(force.law, Magnetic)
     return force.law.profile.value * force.law.direction[2]

@@ -1,4 +1,4 @@
-"""The greatest or the least distance on an ellipse where the question gives it and the central mass is unknown."""
+"""Apsidal distance of an ellipse if the question gives it and the central mass is unknown."""
 
 from math import sqrt
 
@@ -10,7 +10,7 @@ from sim2reason.solutions.writing.unit_latex import METRES
 
 
 def given_apsis(orbit: KeplerOrbit, *, far: bool) -> Symbol:
-    """Return the greatest or the least distance, by a law of energy that is linear in what is unknown."""
+    """Write the given greatest or least distance with a law of energy that is linear in the unknown mass."""
     book, mu, first = orbit.book, orbit.parameter, orbit.radius
     if book.in_symbols or not book.is_hidden(mu):
         return orbit.apsis(far=far)
@@ -27,7 +27,7 @@ def given_apsis(orbit: KeplerOrbit, *, far: bool) -> Symbol:
 
 
 def _distance(orbit: KeplerOrbit, *, far: bool) -> float:
-    """Return the value of the greatest or the least distance."""
+    """Return the numerical value of the greatest or the least distance."""
     mu, r, h, square = map(orbit.book.value, (orbit.parameter, orbit.radius, orbit.momentum, squares(orbit.rate)))
     axis = 1.0 / (2.0 / r - square / mu)
     shift = sqrt(max(1.0 - h**2 / (mu * axis), 0.0))

@@ -1,4 +1,4 @@
-"""The eccentric anomaly at the start of an orbit, with the reason for the quadrant in which it lies."""
+"""Initial eccentric anomaly of an orbit, with the reason for its quadrant."""
 
 from collections.abc import Callable
 
@@ -10,19 +10,19 @@ from sim2reason.solutions.writing.unit_latex import RADIANS
 
 
 class InitialAnomaly:
-    """The anomaly whose cosine and sine, times the eccentricity, are p and q, by the function least sensitive to them.
+    """The initial eccentric anomaly E₀ from p = e cos E₀ and q = e sin E₀, by the best-conditioned inverse function.
 
-    `formula` is that of p; `radial` returns a clause that says whether the body recedes or approaches at first.
+    `formula` is that of p; `radial` returns a clause that the body initially recedes or approaches.
     """
 
     def __init__(
         self, book: Book, p: Symbol, q: Expression, formula: Expression, radial: Callable[[Writing], str]
     ) -> None:
-        """Nothing is written yet."""
+        """Take p, q, the formula of p, and the function that returns the clause about the radial velocity."""
         self._book, self._p, self._q, self._formula, self._radial = book, p, q, formula, radial
 
     def write(self, name: Symbol, anomaly: Symbol) -> Symbol:
-        """Write the value of the anomaly at the start under a name of its own."""
+        """Write the value of the initial anomaly under its own name."""
         p, q = self._book.value(self._p), self._book.value(self._q)
         step = self._book.open("anomaly")
         if abs(p) < abs(q):
@@ -41,7 +41,7 @@ class InitialAnomaly:
         return name
 
     def _sign(self, step: Writing) -> str:
-        """Return a clause about the sign of p; what is not known yet is verified in the end."""
+        """Return a clause about the sign of p; an unknown value is verified at the end."""
         positive = self._book.value(self._p) > 0.0
         sides: tuple[Expression, Expression] = (self._p, ZERO) if positive else (ZERO, self._p)
         if not self._book.is_hidden(self._p):
@@ -51,7 +51,7 @@ class InitialAnomaly:
         return f"${self._p.latex()} {'>' if positive else '<'} 0$"
 
     def _verify(self, larger: Expression, smaller: Expression) -> None:
-        """Write what p comes to in the end, which has the sign that was assumed."""
+        """Write at the end that the value of p has the assumed sign."""
         step = self._book.open("verify")
         exceeds(self._book, step, larger, smaller)
         step.say(f"Indeed {step.verified(self._p, self._formula, '')} has the sign that was assumed.")

@@ -1,8 +1,8 @@
-"""A light body that a fixed one attracts: its ellipse, and where on it the body is when.
+"""Kepler orbits: the ellipse of a light body about a fixed centre, and its position at a given time.
 
-Time is told by how far the eccentric anomaly E has grown, η = E − E₀; with p = e cos E₀ = 1 − r₀/a and
-q = e sin E₀ = r₀·v₀/√(µa), Kepler's equation reads n t = η − p sin η + q (1 − cos η), and the place is
-c₁ r₀ + c₂ v₀, as Lagrange has it (Bate, Mueller and White, *Fundamentals of Astrodynamics*, 4.4).
+The variable is the increase of the eccentric anomaly, η = E − E₀. With p = e cos E₀ = 1 − r₀/a and
+q = e sin E₀ = r₀·v₀/√(µa), Kepler's equation reads n t = η − p sin η + q (1 − cos η), and the position is
+c₁ r₀ + c₂ v₀ with Lagrange's coefficients (Bate, Mueller and White, *Fundamentals of Astrodynamics*, 4.4).
 """
 
 from collections.abc import Callable
@@ -29,10 +29,10 @@ TWO, HALF = Number(2.0), Number(0.5)
 
 
 class KeplerOrbit:
-    """The orbit of one body, written as far as it is needed."""
+    """The elliptic orbit of one body, whose elements are written as they are needed."""
 
     def __init__(self, setting: Setting, book: Book, body: str, center: str, *, alone: bool) -> None:
-        """`alone`: no other orbit is written, so that its names need not say whose they are."""
+        """Read the initial state; with `alone`, there is no other orbit, so that names need no label of the body."""
         self.setting, self.book, self.body, self.center = setting, book, body, center
         self._mark = "" if alone else setting.mark(body)
         lexicon = setting.lexicon
@@ -47,27 +47,27 @@ class KeplerOrbit:
         self._heavy = lexicon.read(Both(masses[0], masses[1])).expression()
 
     def named(self, base: str, mark: str = "") -> Symbol:
-        """Return a name that says whose it is, if that needs to be said."""
+        """Return a new symbol, labelled with the body if there are several orbits."""
         return self.book.fresh(base, ",".join(part for part in (mark, self._mark) if part))
 
     # ---- the ellipse
 
     @cached_property
     def parameter(self) -> Symbol:
-        """µ = G M."""
+        """Return µ = G M."""
         constant = gravitational_constant(self.book, self.setting.mechanism.attractions[0].constant)
         return self.book.told("parameter", "Let", self.named(r"\mu"), constant * self._heavy, PARAMETER)
 
     @cached_property
     def radius(self) -> Symbol:
-        """Return the distance from the centre at the start, in m."""
+        """Return the initial distance from the centre, m."""
         formula = length_of(self.place)
         said = f"The initial distance of {self.setting.called(self.body)} is"
         return self.book.told("distance", said, self.named("r", "0"), formula, METRES)
 
     @cached_property
     def axis(self) -> Symbol:
-        """The semi-major axis, from the energy; UnsolvedError if it does not return."""
+        """Return the semi-major axis, from the energy; UnsolvedError if the orbit is no ellipse."""
         square = squares(self.rate)
         formula = ONE / (TWO / self.radius - square / self.parameter)
         if self.book.value(formula) <= 0.0:
@@ -82,38 +82,38 @@ class KeplerOrbit:
 
     @cached_property
     def period(self) -> Symbol:
-        """Kepler's third law."""
+        """Return the period by Kepler's third law."""
         formula = TWO * PI * Root(Power(self.axis, 3) / self.parameter)
         return self.book.told("period", "By Kepler's third law, the period is", self.named("T"), formula, SECONDS)
 
     @cached_property
     def mean_motion(self) -> Symbol:
-        """The mean angular velocity, √(µ/a³)."""
+        """Return the mean motion √(µ/a³)."""
         formula = Root(self.parameter / Power(self.axis, 3))
         return self.book.told("mean motion", "The mean motion is", self.named("n"), formula, ANGULAR_SPEED)
 
     @cached_property
     def dot(self) -> Expression:
-        """r₀·v₀."""
+        """Return r₀·v₀."""
         return self.place[0] * self.rate[0] + self.place[1] * self.rate[1]
 
     @cached_property
     def momentum(self) -> Symbol:
-        """The angular momentum per unit of mass, positive about z."""
+        """Return the angular momentum per unit mass, positive about z."""
         formula = self.place[0] * self.rate[1] - self.place[1] * self.rate[0]
         said = f"The angular momentum per unit mass about {self.setting.called(self.center)} is"
         return self.book.told("angular momentum", said, self.named("h"), formula, AREAL)
 
     @cached_property
     def along(self) -> Symbol:
-        """Return the symbol of e cos E₀, with the eccentric anomaly E₀ at the start."""
+        """Return the symbol of e cos E₀, where E₀ is the initial eccentric anomaly."""
         E, e, a, star = self.anomaly.latex(), self.oval.latex(), self.axis, self.setting.called(self.center)
         said = rf"The distance from {star} is ${a.latex()} \left(1 - {e} \cos {E}\right)$, so the initial value of"
         return self.book.told("anomaly", rf"{said} ${e} \cos {E}$ is", self.named("p"), ONE - self.radius / a)
 
     @cached_property
     def anomaly(self) -> Symbol:
-        """The name of the eccentric anomaly, which this introduces."""
+        """Write the definition of the eccentric anomaly and return its symbol."""
         step, name = self.book.open("names"), self.named("E")
         whose = f" of {self.setting.called(self.body)}" if self._mark else ""
         step.say(f"Let ${name.latex()}$ be the eccentric anomaly{whose}, zero at the nearest point,")
@@ -123,21 +123,21 @@ class KeplerOrbit:
 
     @cached_property
     def across(self) -> Expression:
-        """Return e sin E₀, with the eccentric anomaly E₀ at the start."""
+        """Return e sin E₀, where E₀ is the initial eccentric anomaly."""
         if self.dot == ZERO:
-            return ZERO  # it begins at an apsis
+            return ZERO  # the start is an apsis
         E, e, root = self.anomaly.latex(), self.oval.latex(), Root(self.parameter * self.axis)
         said = rf"The distance times the radial velocity is ${root.latex()}\,{e} \sin {E}$, so the initial value of"
         return self.book.told("anomaly", rf"{said} ${e} \sin {E}$ is", self.named("q"), self.dot / root)
 
     @cached_property
     def oval(self) -> Symbol:
-        """The name of the eccentricity, which need not be known."""
+        """Return the symbol of the eccentricity, which need not have a value."""
         return self.named("e")
 
     @cached_property
     def eccentricity(self) -> Symbol:
-        """From energy and angular momentum."""
+        """Return the eccentricity, from energy and angular momentum."""
         formula = Root(ONE - Power(self.momentum, 2) / (self.parameter * self.axis))
         return self.book.told("eccentricity", "The eccentricity is", self.oval, formula)
 
@@ -148,7 +148,7 @@ class KeplerOrbit:
         return self.book.told("apsis", f"The {which} distance is", self.named("r"), formula, METRES)
 
     def tell_approach(self, *, far: bool) -> None:
-        """Write why it comes to an apsis within half a turn: it moves towards it; nothing where that is not so."""
+        """Write that the body reaches an apsis within half a turn, if it initially moves towards it."""
         if self.dot == ZERO or self.book.is_hidden(self.dot) or (self._at(self.dot) > 0.0) != far:
             return
         step = self.book.open("extreme")
@@ -171,7 +171,7 @@ class KeplerOrbit:
         return name
 
     def time(self, grown: Expression) -> Symbol:
-        """Return when it has grown so far."""
+        """Return the time at which the eccentric anomaly has increased by an angle."""
         if grown == TWO * PI:
             return self.period
         if grown == PI:
@@ -181,7 +181,7 @@ class KeplerOrbit:
         return self.book.told("time", f"{self._mean(grown)}, so the time is", self.named("t"), formula, SECONDS)
 
     def _mean(self, angle: Expression) -> str:
-        """Return how the mean anomaly grows while the eccentric one grows by an angle."""
+        """Return the words for the increase of the mean anomaly as the eccentric one increases by an angle."""
         E, product = self.anomaly.latex(), rf"{self.oval.latex()} \sin {self.anomaly.latex()}"
         grown = self.along * Call("sin", angle) + self.across * Call("cos", angle)
         said = (
@@ -191,6 +191,7 @@ class KeplerOrbit:
         return f"{said} ${grown.latex()}$"
 
     def _grown(self, angle: Expression) -> Expression:
+        """Return the increase of the mean anomaly as the eccentric one increases by an angle."""
         return angle - self.along * Call("sin", angle) + self.across * (ONE - Call("cos", angle))
 
     def to_apsis(self, *, far: bool) -> Expression:
@@ -209,13 +210,13 @@ class KeplerOrbit:
 
     @cached_property
     def _begins(self) -> Symbol:
-        """The eccentric anomaly at the start."""
+        """Return the initial eccentric anomaly."""
         p, q = self.along, self.across
         found = InitialAnomaly(self.book, p, q, ONE - self.radius / self.axis, self._radial)
         return found.write(self.named("E", "0"), self.anomaly)
 
     def _radial(self, step: Writing) -> str:
-        """Return a clause that says whether the body recedes at first, by a comparison if numbers are known."""
+        """Return a clause that the body initially recedes or approaches, with a comparison if numbers are known."""
         recedes = self._at(self.dot) > 0.0
         said = f"{self.setting.called(self.body)} at first {'recedes' if recedes else 'approaches'}"
         (x, y), (u, v) = self.place, self.rate
@@ -225,7 +226,7 @@ class KeplerOrbit:
         return f"{said} (${(x * u + y * v).latex()} {'>' if recedes else '<'} 0$)"
 
     def to_distance(self, distance: Symbol) -> Symbol:
-        """Write the increase of the eccentric anomaly, in radians, until a body is so far from its start."""
+        """Write the increase of the eccentric anomaly, in radians, up to a distance from the start."""
         name = self.named(r"\eta")
         square = self._away(name)
         level = self.book.value(distance) ** 2
@@ -240,7 +241,7 @@ class KeplerOrbit:
         return name
 
     def farthest(self) -> Symbol:
-        """Return the greatest distance from where it began, at which its velocity is square to the way there."""
+        """Return the greatest distance from the start, where displacement and velocity are perpendicular."""
         name, angle = self.named("d"), self.named(r"\eta")
         if self.dot == ZERO:
             said = "It starts at an end of the major axis, and the other end is farthest away:"
@@ -264,19 +265,19 @@ class KeplerOrbit:
         return self.book.told("distance", "There the distance is", name, Root(square), METRES)
 
     def _lagrange(self, angle: Expression) -> str:
-        """Return what the displacement is when the anomaly has grown by an angle."""
+        """Return a sentence with the displacement after the eccentric anomaly has increased by an angle."""
         less, more = self.weights(angle)
         said = f"When ${self.anomaly.latex()}$ has increased by ${angle.latex()}$, the displacement is, by Lagrange's"
         said = f"{said} formulas, the sum of the initial position times ${less.latex()}$ and the initial velocity times"
         return f"{said} ${more.latex()}$."
 
     def _away(self, angle: Expression) -> Expression:
-        """Return the square of the displacement, when the anomaly has grown by an angle."""
+        """Return the squared displacement after the eccentric anomaly has increased by an angle."""
         less, more = self.weights(angle)
         return squares([less * place + more * rate for place, rate in zip(self.place, self.rate, strict=True)])
 
     def weights(self, angle: Expression) -> tuple[Expression, Expression]:
-        """Return the factors of the initial place and velocity in the formula for the displacement."""
+        """Return the coefficients of initial position and velocity in Lagrange's formula for the displacement."""
         rest = ONE - Call("cos", angle)
         ahead = (self.radius / self.axis * Call("sin", angle) + self.across * rest) / self.mean_motion
         return -(self.axis / self.radius * rest), ahead
@@ -286,7 +287,7 @@ class KeplerOrbit:
 
 
 def _rising(residual: Callable[[float], float]) -> float:
-    """Return the first root of what begins below zero, of an angle."""
+    """Return the first root, in radians, of a function that is negative at zero."""
     step, low = 0.01, 0.0
     while residual(low + step) < 0.0:
         low += step

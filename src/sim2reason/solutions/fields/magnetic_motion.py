@@ -1,4 +1,4 @@
-"""How a magnetic field leads a charged body: in crossed fields, or through a medium that resists."""
+"""Motion of a charge in a magnetic field: in crossed fields, or with drag."""
 
 from functools import reduce
 
@@ -15,9 +15,9 @@ HALF = Number(0.5)
 
 
 class Crossed(Driven):
-    """An electric field that grows along its own direction, across a uniform magnetic one.
+    """Motion in an electric field that varies along its own direction, across a uniform magnetic field.
 
-    Across the electric field the velocity changes by Ω times the way along it, so that along it the force is linear.
+    The velocity across the field changes by Ω times the displacement along it, so the force along it is linear.
     """
 
     _displacement: Expression | None = None
@@ -29,7 +29,7 @@ class Crossed(Driven):
 
     @cached_property
     def push(self) -> Expression:
-        """With the magnetic force."""
+        """Return the initial acceleration along the electric field, with the magnetic force."""
         axis = self._drive.axis
         turned = self._turning * self.launch[1 - axis] * TURNS[axis]
         if turned == ZERO:
@@ -39,7 +39,7 @@ class Crossed(Driven):
 
     @cached_property
     def slope(self) -> Expression:
-        """Less what the magnetic force takes."""
+        """Return the gradient of the acceleration along the electric field, reduced by the magnetic force, 1/s²."""
         assert self._drive.slope is not None
         along, across = AXES[self._drive.axis], AXES[1 - self._drive.axis]
         turned = self._turning * self.fields.places[self._drive.axis] * TURNS[1 - self._drive.axis]
@@ -49,7 +49,7 @@ class Crossed(Driven):
         return self.named(said, "k", along, self._drive.slope - Power(self._turning, 2), PER_SECOND_SQUARED)
 
     def moved(self, axis: int, time: Expression) -> Expression:
-        """Along the field as without the magnetic one; across it, integrated."""
+        """Return the displacement: an oscillation along the electric field, and an integral across it."""
         along = self._drive.axis
         if axis == along:
             return self._along(time)
@@ -57,7 +57,7 @@ class Crossed(Driven):
         return self.launch[axis] * time + self._turning * TURNS[axis] * summed
 
     def rate(self, axis: int, time: Expression) -> Expression:
-        """Across the field, by the way along it."""
+        """Return the velocity; across the electric field it is linear in the displacement along it."""
         along = self._drive.axis
         if axis == along:
             return super().rate(axis, time)
@@ -75,10 +75,10 @@ class Crossed(Driven):
 
 
 class Slowed(FieldMotion):
-    """A magnetic field that turns the velocity, in a medium that resists by the square of the speed."""
+    """Motion in a magnetic field with quadratic drag."""
 
     def rate(self, axis: int, time: Expression) -> Expression:
-        """Return the velocity at the start, turned, and divided by 1 + γ t."""
+        """Return the initial velocity, rotated and divided by 1 + γ t."""
         found, turning = self.launch[axis], self.fields.turning
         if turning is not None:
             across = self.launch[1 - axis] * TURNS[axis]
@@ -86,19 +86,19 @@ class Slowed(FieldMotion):
         return found / (ONE + self.fields.drag * time)
 
     def moved(self, axis: int, time: Expression) -> Expression:
-        """Return no closed form."""
+        """Raise UnsolvedError: the displacement has no closed form."""
         del axis, time
         raise UnsolvedError("the way in such a medium has no closed form")
 
 
 class Turning(FieldMotion):
-    """A uniform magnetic field, perhaps with a uniform electric one and with a medium that resists in proportion.
+    """Motion in a uniform magnetic field, perhaps with a uniform electric field and linear drag.
 
-    The velocity is one that the fields keep up, such as the drift E/B, and one that turns at the rate Ω, and decays.
+    The velocity is the sum of a drift, such as E/B, and a part that rotates at the rate Ω and decays with drag.
     """
 
     def __init__(self, fields: Fields, launch: list[Expression]) -> None:
-        """UnsolvedError where the electric field depends on the place."""
+        """Take the fields and the initial velocity; UnsolvedError for an electric field that depends on position."""
         super().__init__(fields, launch)
         turning, drive = fields.turning, fields.drive
         assert turning is not None
@@ -110,7 +110,7 @@ class Turning(FieldMotion):
 
     @cached_property
     def _drift(self) -> list[Expression]:
-        """Return the velocity, along x and y, that an electric field maintains, or its amplitudes."""
+        """Return the drift velocity along x and y, or its amplitudes in a varying field."""
         found: list[Expression] = [ZERO, ZERO]
         drive = self.drive
         if drive is None:
@@ -129,7 +129,7 @@ class Turning(FieldMotion):
         return self._told_drift(drive, found)
 
     def _told_drift(self, drive: Drive, formulas: list[Expression]) -> list[Expression]:
-        """Write what the fields keep up and why, from the equations of motion; return it by its names."""
+        """Write the drift velocity and its derivation from the equations of motion; return its components."""
         step = self.book.open("motion")
         step.rest_on(self.fields.law)
         names: list[Expression] = [self.book.fresh("u", AXES[n]) if formulas[n] != ZERO else ZERO for n in (0, 1)]
@@ -145,7 +145,7 @@ class Turning(FieldMotion):
         return names
 
     def _said_drift(self, drive: Drive, names: list[Expression]) -> str:
-        """Return the beginning of a sentence that says of what form the velocity is that the fields keep up."""
+        """Return the beginning of a sentence about the form of the drift velocity."""
         if drive.frequency is not None:
             what = "a forced velocity"
         elif drive.growth is not None:
@@ -161,7 +161,7 @@ class Turning(FieldMotion):
         )
 
     def _kept_laws(self, drive: Drive, names: list[Expression]) -> list[tuple[Expression, Expression]]:
-        """Return both equations of motion for the velocity that the fields keep up, without what depends on time."""
+        """Return both equations of motion for the drift velocity, without their common time dependence."""
         found: list[tuple[Expression, Expression]] = []
         for axis in (0, 1):
             right: Expression = drive.strength if axis == drive.axis else ZERO
@@ -179,7 +179,7 @@ class Turning(FieldMotion):
 
     @cached_property
     def turned(self) -> list[Expression]:
-        """Return the components at the start of that part of the velocity that the magnetic force rotates."""
+        """Write and return the initial components of the velocity relative to the drift, which rotates."""
         still = [self._kept(axis, None) for axis in (0, 1)]
         formulas = [begins - kept for begins, kept in zip(self.launch, still, strict=True)]
         step, told = self.book.open("motion"), list[str]()
@@ -204,16 +204,16 @@ class Turning(FieldMotion):
         return found
 
     def _left(self, time: Expression) -> Expression:
-        """Return the factor by which a medium has reduced what rotates."""
+        """Return the factor by which drag has reduced the rotating velocity."""
         assert self.fields.damping is not None
         return Call("exp", -(self.fields.damping * time))
 
     def _kept(self, axis: int, time: Expression | None) -> Expression:
-        """Return the velocity that the fields keep up; at the start without a time."""
+        """Return the drift velocity along an axis at a time; at the start for None."""
         return ZERO if self.drive is None else self._kept_as(self.drive, self._drift[axis], axis, time)
 
     def _kept_as(self, drive: Drive, drift: Expression, axis: int, time: Expression | None) -> Expression:
-        """Return a component of the velocity that the fields keep up, by its constant."""
+        """Return the drift velocity along an axis at a time, given its amplitude."""
         if drive.frequency is not None:
             if time is None:
                 return ZERO if axis == drive.axis else drift
@@ -223,7 +223,7 @@ class Turning(FieldMotion):
         return drift
 
     def carried(self, axis: int, time: Expression) -> Expression:
-        """Return the displacement, in m, of the velocity that an electric field maintains."""
+        """Return the displacement along an axis, m, due to the drift velocity."""
         drive, drift = self.drive, self._drift[axis]
         if drive is None:
             return ZERO
@@ -249,20 +249,20 @@ class Turning(FieldMotion):
         return (reduce(multiplied, x[:-1]), one.argument) if (one.function, other.function) == ("cos", "sin") else None
 
     def told(self, kind: str, axis: int, time: Expression) -> str:
-        """Without an electric field or a medium, the velocity only changes its direction."""
+        """Return the beginning of a sentence about a displacement or velocity."""
         if kind == "v" and self._heading is not None:
             return f"The magnetic force only rotates the velocity, so the {AXES[axis]} component of the velocity is"
         return super().told(kind, axis, time)
 
     def rate(self, axis: int, time: Expression) -> Expression:
-        """Return a component of the velocity, in m/s: the constant part plus the rotated one."""
+        """Return a velocity component, m/s: the drift plus the rotating part."""
         if self._heading is not None:
             speed, angle = self._heading
             return speed * Call("sin" if axis else "cos", angle - self.turning * time)
         return self.course(axis, time)
 
     def course(self, axis: int, time: Expression) -> Expression:
-        """Return the same, by components at the start."""
+        """Return a velocity component in terms of the initial components."""
         here, other = self.turned[axis], self.turned[1 - axis] * TURNS[axis]
         phase = self.turning * time
         turned = here * Call("cos", phase) + other * Call("sin", phase)
@@ -271,7 +271,7 @@ class Turning(FieldMotion):
         return self._kept(axis, time) + turned
 
     def moved(self, axis: int, time: Expression) -> Expression:
-        """Return the integral of that."""
+        """Return the displacement along an axis, m: the integral of the velocity."""
         here, other = self.turned[axis], self.turned[1 - axis] * TURNS[axis]
         turns, damping, phase = self.turning, self.fields.damping, self.turning * time
         sine, cosine = Call("sin", phase), Call("cos", phase)
@@ -283,7 +283,7 @@ class Turning(FieldMotion):
         return self.carried(axis, time) + (here * even + other * odd) / both
 
     def extreme(self, *, least: bool) -> tuple[str, str, Symbol, Expression]:
-        """The greatest or the least speed in uniform fields: what turns is then along the drift, or against it."""
+        """Return the greatest or least speed in uniform fields: rotating part parallel or opposite to the drift."""
         if all(part == ZERO for part in self._drift):
             said = "The magnetic force is perpendicular to the velocity and does no work, so the speed is always"
             return "extremum", said, self.book.fresh("v"), length_of(self.turned)

@@ -1,4 +1,4 @@
-"""When a charged body in fields is where a question wants it, and where its speed or its distance is extreme."""
+"""Moments of a charged body in fields: given positions, and extremes of speed and distance."""
 
 import numpy as np
 
@@ -24,20 +24,20 @@ SAMPLES = 400
 
 
 class FieldMoment:
-    """The moment that is asked about, written as it is needed."""
+    """The moment of a question about a charged body, written as it is needed."""
 
     def __init__(self, setting: Setting, book: Book, fields: Fields) -> None:
-        """Nothing is written yet."""
+        """Take the problem, the book and the fields."""
         self.setting, self.book, self.fields = setting, book, fields
 
     @cached_property
     def motion(self) -> FieldMotion:
-        """Return place and velocity of the body as functions of time."""
+        """Return displacement and velocity of the body as functions of time."""
         return motion_in(self.fields, self.fields.launch)
 
     @cached_property
     def time(self) -> Symbol:
-        """Return when the moment is."""
+        """Write the time of the moment and return its symbol."""
         moment, name = self.setting.query.moment, self.fields.instant
         if isinstance(moment, AtTime):
             self.book.say_given(name.name, moment.after, SECONDS)
@@ -64,11 +64,11 @@ class FieldMoment:
 
     @cached_property
     def turn(self) -> FieldTurn:
-        """Return what the moment is if it is one of those at which the velocity has turned."""
+        """Return the moment at which the velocity has turned."""
         return FieldTurn(self.setting.query.moment or AtTime(0.0), self.fields, self.motion)
 
     def _stopped(self, name: Symbol) -> Symbol:
-        """Return when a body on a line has no velocity."""
+        """Write the time at which a body on a line comes to rest."""
         drive, rates = self.fields.drive, [self.motion.rate(axis, name) for axis in (0, 1)]
         kept, turns = [rate for rate in rates if rate != ZERO], self.fields.turning
         if turns is not None and self._uniform and self._from_rest:
@@ -93,7 +93,7 @@ class FieldMoment:
         return name
 
     def _course(self, *, moved: bool = False) -> str:
-        """Return a sentence that gives the velocity as a function of time, with `moved` for its integral."""
+        """Return a sentence with the velocity as a function of time; with `moved`, it mentions its integral."""
         time = self.fields.clock
         parts = [(axis, self.motion.course(number, time)) for number, axis in enumerate(AXES)]
         told = [f"${part.latex()}$ along {axis}" for axis, part in parts if part != ZERO]
@@ -101,12 +101,12 @@ class FieldMoment:
         return f"{said}; integrated from 0 on, this gives the displacement." if moved else f"{said}."
 
     def _distance(self, time: Symbol) -> Expression:
-        """Return the square of the distance from the start, in m²."""
+        """Return the squared distance from the start, m²."""
         return squares([self.motion.moved(axis, time) for axis in (0, 1)])
 
     @cached_property
     def circle(self) -> Symbol:
-        """The radius of the circle on which a magnetic field alone leads it."""
+        """Return the radius of the circle in a magnetic field alone."""
         turns = self.fields.turning
         assert turns is not None
         size = self.book.magnitude(turns)
@@ -116,12 +116,12 @@ class FieldMoment:
 
     @property
     def launched(self) -> Expression:
-        """The speed at the start."""
+        """Return the initial speed."""
         given = self.setting.given(f"{self.fields.body.rpartition('.')[0]}.start.speed")
         return Symbol(given.symbol) if given is not None else self._size(self.fields.launch)
 
     def _size(self, parts: list[Expression]) -> Expression:
-        """Return the magnitude of a vector: the modulus of its only component, or a root of a sum of squares."""
+        """Return the magnitude of a vector; that of a single component has no root."""
         kept = [part for part in parts if part != ZERO]
         if len(kept) != 1:
             return Root(squares(parts)) if kept else ZERO
@@ -129,7 +129,7 @@ class FieldMoment:
 
     @cached_property
     def speed(self) -> Expression | None:
-        """At the moment, where no electric field acts, or one that has turned the velocity; else None."""
+        """Return the speed at the moment if a short formula exists: without an electric field, or once turned."""
         fields = self.fields
         if fields.has_field:
             return self.turn.speed(self.launched) if fields.turning is None else None
@@ -140,7 +140,7 @@ class FieldMoment:
 
     @cached_property
     def pull(self) -> Expression | None:
-        """The size of the acceleration at the moment, where the fields are uniform; None where they are not."""
+        """Return the magnitude of the acceleration at the moment in uniform fields; None in others."""
         fields = self.fields
         drive, first = fields.drive, fields.launch
         changing = drive is not None and (drive.frequency, drive.growth, drive.slope) != (None,) * 3
@@ -156,6 +156,7 @@ class FieldMoment:
         return self.book.told("newton", f"{said} it decay to", self.book.fresh("a"), formula, ACCELERATION)
 
     def _chord(self, distance: Symbol, name: Symbol) -> Symbol:
+        """Write the time at which the body is at a distance from its start on a circle."""
         turns = self.fields.turning
         assert turns is not None
         size = self.book.magnitude(turns)
@@ -165,13 +166,13 @@ class FieldMoment:
 
     @property
     def _uniform(self) -> bool:
-        """Return whether the fields are constant and uniform, and nothing resists."""
+        """Return whether the fields are uniform and constant, without drag."""
         drive = self.fields.drive
         changing = drive is not None and (drive.frequency, drive.growth, drive.slope) != (None,) * 3
         return not changing and self.fields.damping is None
 
     def extreme(self, query: StretchQuery) -> Symbol:
-        """Return where the rate of change of its square vanishes."""
+        """Write the extreme value of a functional, where its rate of change vanishes."""
         fields = self.fields
         if query.functional in REACHES:
             return Reach(self.motion, REACHES[query.functional], self.launched).written()
@@ -190,7 +191,7 @@ class FieldMoment:
         return self.book.told("energy", "The kinetic energy is then", self.book.fresh("K"), energy, JOULES)
 
     def _farthest(self) -> Symbol:
-        """Return where the displacement is square to the velocity."""
+        """Write the greatest distance, where the displacement is perpendicular to the velocity."""
         time = self.fields.instant
         parts = [self.motion.moved(axis, time) for axis in (0, 1)]
         rates = [self.motion.rate(axis, time) for axis in (0, 1)]
@@ -202,7 +203,7 @@ class FieldMoment:
         return self.book.told("extremum", "There the distance is", self.book.fresh("d"), Root(squares(parts)), METRES)
 
     def _fastest(self, sign: float) -> Symbol:
-        """Return where the forces that do work do none: the magnetic one never does."""
+        """Write the extreme speed, where the total power of electric force and drag is zero."""
         time, drive = self.fields.instant, self.fields.drive
         rates = [self.motion.rate(axis, time) for axis in (0, 1)]
         near = self._sampled(time, rates, sign)
@@ -241,10 +242,11 @@ class FieldMoment:
 
     @property
     def _from_rest(self) -> bool:
+        """Return whether the body starts from rest."""
         return self.fields.launch == [ZERO, ZERO]
 
     def _at_far_end(self, motion: Crossed, axis: int) -> Symbol:
-        """The speed where an oscillation along the electric field, in crossed fields, has gone to its other end."""
+        """Write the speed at the far end of an oscillation along the electric field, in crossed fields."""
         turning, along = self.fields.turning, AXES[axis]
         assert turning is not None
         said = (
@@ -260,7 +262,7 @@ class FieldMoment:
     def _turned(
         self, parts: list[Expression], sign: float, residual: Expression, said: str, *, moved: bool = False
     ) -> None:
-        """When something vanishes, near where a vector is longest or shortest; with `moved`, that is a displacement."""
+        """Write the time at which a residual vanishes, near the extreme magnitude of a vector."""
         time = self.fields.instant
         start = self._sampled(time, parts, sign)
         near = NumericRoot(residual, time.name, start).value(self.book.values).real
@@ -273,17 +275,17 @@ class FieldMoment:
         step.close()
 
     def _sampled(self, name: Symbol, parts: list[Expression], sign: float) -> float:
-        """Return when the size of a vector is about greatest or least."""
+        """Return the approximate time, s, of the greatest or least magnitude of a vector."""
         square = squares(parts)
         times: list[float] = np.linspace(0.0, self.setting.time, SAMPLES).tolist()
         return max(times, key=lambda t: sign * square.value({**self.book.values, name.name: t}).real)
 
 
 def motion_in(fields: Fields, launch: list[Expression]) -> FieldMotion:
-    """Return the motion in some fields; UnsolvedError where it has no closed form here."""
+    """Return the motion in given fields; UnsolvedError if it has no closed form here."""
     if fields.resists:
         return Slowed(fields, launch)
-    drive = fields.drive  # first, so that its sentence stands first
+    drive = fields.drive  # evaluated first so that its sentence comes first
     if fields.turning is not None and drive is not None and drive.along == drive.axis and drive.slope is not None:
         return Crossed(fields, launch)
     if fields.turning is not None:

@@ -1,4 +1,4 @@
-"""How a charged body moves in a plane in fields whose equations of motion are linear, as functions of time."""
+"""Motion of a charged body in a plane, in fields with linear equations of motion, as functions of time."""
 
 from abc import ABC, abstractmethod
 
@@ -12,10 +12,10 @@ HALF, SIXTH = Number(0.5), Number(1.0 / 6.0)
 
 
 class FieldMotion(ABC):
-    """Displacement and velocity since a start with a known velocity."""
+    """Displacement and velocity as functions of time since a start with a known velocity."""
 
     def __init__(self, fields: Fields, launch: list[Expression]) -> None:
-        """`launch` is the velocity at the start, along x and y."""
+        """Take the fields and the initial velocity along x and y, `launch`."""
         self.fields, self.launch, self.book = fields, launch, fields.book
 
     @abstractmethod
@@ -27,7 +27,7 @@ class FieldMotion(ABC):
         """Return the velocity along an axis after a time."""
 
     def told(self, kind: str, axis: int, time: Expression) -> str:
-        """Return the beginning of a sentence that says a velocity ``v`` or a displacement ``s`` along an axis."""
+        """Return the beginning of a sentence about a velocity ``v`` or a displacement ``s`` along an axis."""
         who, rate = self.fields.setting.called(self.fields.body), self.course(axis, time)
         if kind == "v":
             return f"The velocity of {who} along {AXES[axis]} is"
@@ -37,21 +37,21 @@ class FieldMotion(ABC):
         return f"{course} gives the displacement of {who} along {AXES[axis]},"
 
     def course(self, axis: int, time: Expression) -> Expression:
-        """Return the velocity along an axis as it is integrated."""
+        """Return the velocity along an axis in the form that is integrated."""
         return self.rate(axis, time)
 
     def named(self, said: str, base: str, mark: str, formula: Expression, unit: str) -> Expression:
-        """Return a constant of the motion, by a name unless it is zero or a name already."""
+        """Return the name of a constant of the motion; zero and symbols need none."""
         if formula == ZERO or isinstance(formula, Symbol):
             return formula
         return self.book.told("motion", said, self.book.fresh(base, mark), formula, unit, rests=self.fields.law)
 
 
 class Driven(FieldMotion):
-    """An electric field alone."""
+    """Motion in an electric field alone."""
 
     def told(self, kind: str, axis: int, time: Expression) -> str:
-        """Return the words before a displacement or velocity, which an integral or a linear equation gives."""
+        """Return the beginning of a sentence about a displacement or velocity, with the law that gives it."""
         drive = self.fields.drive
         if drive is None or drive.axis != axis:
             return super().told(kind, axis, time)
@@ -64,7 +64,7 @@ class Driven(FieldMotion):
         return super().told(kind, axis, time)
 
     def moved(self, axis: int, time: Expression) -> Expression:
-        """Integrated twice."""
+        """Return the displacement along an axis: the acceleration integrated twice."""
         drive, plain = self.fields.drive, self.launch[axis] * time
         if drive is None or drive.axis != axis:
             return plain
@@ -79,7 +79,7 @@ class Driven(FieldMotion):
         return found + SIXTH * third * Power(time, 3) if third is not None else found
 
     def rate(self, axis: int, time: Expression) -> Expression:
-        """Integrated once."""
+        """Return the velocity along an axis: the acceleration integrated once."""
         drive, plain = self.fields.drive, self.launch[axis]
         if drive is None or drive.axis != axis:
             return plain
@@ -93,7 +93,7 @@ class Driven(FieldMotion):
         return found + HALF * second * Power(time, 2) if second is not None else found
 
     def _drift(self, drive: Drive) -> Expression:
-        """Return the velocity by which the initial phase of an oscillating field lowers the mean velocity."""
+        """Return the reduction of the mean velocity by the initial phase of an oscillating field."""
         assert drive.frequency is not None
         return drive.strength / drive.frequency * Call("sin", drive.phase)
 
@@ -101,32 +101,33 @@ class Driven(FieldMotion):
 
     @property
     def _drive(self) -> Drive:
+        """Return the electric acceleration."""
         assert self.fields.drive is not None
         return self.fields.drive
 
     @cached_property
     def push(self) -> Expression:
-        """The acceleration along the field at the start."""
+        """Return the initial acceleration along the field."""
         return self._drive.strength
 
     @cached_property
     def slope(self) -> Expression:
-        """Return the increase of the acceleration for each metre along the field, in 1/s²."""
+        """Return the gradient of the acceleration along the field, 1/s²."""
         assert self._drive.slope is not None
         return self._drive.slope
 
     def _departed(self, axis: int, time: Expression) -> Expression:
-        """Return the displacement along the field, in m."""
+        """Return the displacement along the field, m."""
         return self.center * (ONE - self._even(time)) + self.launch[axis] * self._odd(time)
 
     @cached_property
     def swings(self) -> bool:
-        """Return whether a force draws the body back to where the net force is zero."""
+        """Return whether the net force is a restoring force."""
         return self.book.value(self.slope) < 0.0
 
     @cached_property
     def frequency(self) -> Expression:
-        """Return the angular frequency of an oscillation along the field, or the rate at which it runs away."""
+        """Return the angular frequency of the oscillation along the field, or the rate of its exponential growth."""
         along = AXES[self._drive.axis]
         if self.swings:
             said = f"The equation along {along} is that of a harmonic oscillation with the angular frequency"
@@ -137,18 +138,18 @@ class Driven(FieldMotion):
 
     @cached_property
     def center(self) -> Expression:
-        """Return the place at which the component of the net force along the field is zero."""
+        """Return the position at which the component of the net force along the field is zero."""
         along = AXES[self._drive.axis]
         said = f"The {along} component of the net force is zero at {along} equal to"
         return self.named(said, along, "c", -(self.push / self.slope), METRES)
 
     def _even(self, time: Expression) -> Expression:
-        """Return the cosine, or the hyperbolic one."""
+        """Return the cosine of the phase, or its hyperbolic cosine."""
         phase = self.frequency * time
         return Call("cos", phase) if self.swings else HALF * (Call("exp", phase) + Call("exp", -phase))
 
     def _odd(self, time: Expression) -> Expression:
-        """Return the sine, or the hyperbolic one, over the frequency."""
+        """Return the sine of the phase, or its hyperbolic sine, over the frequency."""
         phase = self.frequency * time
         if self.swings:
             return Call("sin", phase) / self.frequency

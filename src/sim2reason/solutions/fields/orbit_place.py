@@ -13,38 +13,38 @@ FIELDS = ("x", "y")
 
 
 class OrbitPlace(ABC):
-    """A body at one place of its ellipse."""
+    """The position of a body on its ellipse, with velocity and acceleration."""
 
     def __init__(self, orbit: KeplerOrbit) -> None:
-        """Nothing is written yet."""
+        """Take the orbit."""
         self.orbit = orbit
         self._names: dict[tuple[str, int], Symbol] = {}
 
     @cached_property
     def grown(self) -> Expression:
-        """By how much the eccentric anomaly has grown."""
+        """Return the increase of the eccentric anomaly since the start, in radians."""
         return self._anomaly()
 
     @cached_property
     def radius(self) -> Symbol:
-        """Return how far it is from the centre."""
+        """Return the distance from the centre."""
         return self._distance()
 
     @abstractmethod
     def _anomaly(self) -> Expression:
-        """Write by how much the eccentric anomaly has grown."""
+        """Write the increase of the eccentric anomaly since the start."""
 
     @abstractmethod
     def _distance(self) -> Symbol:
-        """Write how far it is from the centre."""
+        """Write the distance from the centre."""
 
     @abstractmethod
     def _moved(self, axis: int) -> Expression:
-        """By how much it has moved along an axis."""
+        """Return the displacement along an axis."""
 
     @abstractmethod
     def _rate(self, axis: int) -> Expression:
-        """Return its velocity along an axis."""
+        """Return the velocity along an axis."""
 
     def component(self, kind: str, axis: int) -> Symbol:
         """Return the displacement ``s``, velocity ``v`` or acceleration ``a`` along an axis, 0 or 1."""
@@ -54,6 +54,7 @@ class OrbitPlace(ABC):
         return known
 
     def _written(self, kind: str, axis: int) -> Symbol:
+        """Write a component of displacement, velocity or acceleration."""
         orbit, label = self.orbit, FIELDS[axis]
         if kind == "s":
             formula, unit, said = self._moved(axis), METRES, f"The displacement of {self._who} along {label} is"
@@ -73,15 +74,17 @@ class OrbitPlace(ABC):
 
     @property
     def _who(self) -> str:
+        """Return the name of the body."""
         return self.orbit.setting.called(self.orbit.body)
 
     @property
     def _star(self) -> str:
+        """Return the name of the central body."""
         return self.orbit.setting.called(self.orbit.center)
 
     @cached_property
     def speed(self) -> Symbol:
-        """From the energy: the vis-viva equation."""
+        """Return the speed by the vis-viva equation."""
         orbit = self.orbit
         formula = Root(orbit.parameter * (TWO / self.radius - ONE / orbit.axis))
         said = f"By conservation of energy, the speed of {self._who} is"
@@ -89,28 +92,28 @@ class OrbitPlace(ABC):
 
     @cached_property
     def pull(self) -> Symbol:
-        """The size of the acceleration."""
+        """Return the magnitude of the acceleration."""
         orbit, formula = self.orbit, self.orbit.parameter / Power(self.radius, 2)
         said = f"The acceleration of {self._who} is"
         return orbit.book.told("attraction", said, orbit.named("a"), formula, ACCELERATION)
 
 
 class AtAnomaly(OrbitPlace):
-    """Where the eccentric anomaly has grown by something."""
+    """The position after a known increase of the eccentric anomaly."""
 
     def __init__(
         self, orbit: KeplerOrbit, grown: Callable[[], Expression], radius: Callable[[], Symbol] | None = None
     ) -> None:
-        """`radius` writes the distance, where that is known without the anomaly."""
+        """Take the increase of the anomaly, and `radius` if the distance is known without the anomaly."""
         super().__init__(orbit)
         self._grown, self._radius = grown, radius
 
     def _anomaly(self) -> Expression:
-        """As it was given."""
+        """Return the known increase of the anomaly."""
         return self._grown()
 
     def _distance(self) -> Symbol:
-        """R = a (1 − p cos η + q sin η)."""
+        """Write the distance r = a (1 − p cos η + q sin η)."""
         if self._radius is not None:
             return self._radius()
         orbit, angle = self.orbit, self.grown
@@ -122,11 +125,11 @@ class AtAnomaly(OrbitPlace):
 
     @cached_property
     def _weights(self) -> dict[str, Symbol]:
-        """Names of the four weights with which the first place and velocity stand in those of the moment."""
+        """Return names for Lagrange's four coefficients of initial position and velocity."""
         return {number: self.orbit.named("c", number) for number in "1234"}
 
     def _combined(self, numbers: str, axis: int) -> Expression:
-        """Return a sum of the first place and velocity; a part that is zero has no weight."""
+        """Return a linear combination of initial position and velocity; zero components need no coefficient."""
         orbit, found = self.orbit, ZERO
         for number, part in zip(numbers, (orbit.place[axis], orbit.rate[axis]), strict=True):
             if part != ZERO:
@@ -134,6 +137,7 @@ class AtAnomaly(OrbitPlace):
         return found
 
     def _weight(self, number: str) -> Symbol:
+        """Write one of Lagrange's coefficients."""
         orbit, name = self.orbit, self._weights[number]
         if name.name in orbit.book.values:
             return name

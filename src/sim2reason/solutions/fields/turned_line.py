@@ -1,4 +1,4 @@
-"""Position and velocity of a body in orbit after its polar angle has grown by 90° or 180°."""
+"""Position and velocity of a body in orbit after its polar angle has increased by 90° or 180°."""
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symbol
@@ -11,29 +11,30 @@ DIRECTION, VELOCITY = "direction of the line", "components of the velocity"  # l
 
 
 class Turned(OrbitPlace):
-    """Where the line to a body has turned through a right angle, or through two: the equation of its conic."""
+    """The position after the line to a body has turned by 90° or 180°, by the polar equation of the conic."""
 
     def __init__(self, orbit: KeplerOrbit, quarters: int) -> None:
-        """`quarters` of a turn: 1 or 2."""
+        """Take the orbit and the number of quarter turns, 1 or 2."""
         super().__init__(orbit)
         self._quarters = quarters
         self._sense = 1.0 if orbit.book.value(orbit.momentum) > 0.0 else -1.0
 
     @cached_property
     def _rectum(self) -> Symbol:
+        """Return the semi-latus rectum."""
         orbit, formula = self.orbit, Power(self.orbit.momentum, 2) / self.orbit.parameter
         said = "The orbit is a conic section, whose semi-latus rectum is"
         return orbit.book.told("conic", said, orbit.named(r"\ell"), formula, METRES)
 
     @cached_property
     def _outward(self) -> Symbol:
-        """Return the radial velocity at the start, in m/s."""
+        """Return the initial radial velocity, m/s."""
         orbit = self.orbit
         said = "The initial radial velocity is"
         return orbit.book.told("recedes", said, orbit.named("u", "0"), orbit.dot / orbit.radius, SPEED)
 
     def _distance(self) -> Symbol:
-        """ℓ/r = 1 + e cos ν: ahead by 180° the cosine has the other sign, by 90° it is minus the sine."""
+        """Write the distance from ℓ/r = 1 + e cos ν: 180° later cos ν has the other sign, 90° later it is −sin ν."""
         orbit, e = self.orbit, self.orbit.oval.latex()
         if self._quarters == 2:
             formula = self._rectum / (TWO - self._rectum / orbit.radius)
@@ -49,28 +50,28 @@ class Turned(OrbitPlace):
 
     @property
     def _across(self) -> Expression:
-        """The product e sin ν at the start."""
+        """Return e sin ν at the start."""
         return self._swift * self._outward / self.orbit.parameter
 
     @property
     def _swift(self) -> Expression:
-        """The size of the angular momentum per unit of mass."""
+        """Return the magnitude of the angular momentum per unit mass."""
         return self.orbit.momentum if self._sense > 0.0 else -self.orbit.momentum
 
     @property
     def _conic(self) -> str:
-        """Return the beginning of a sentence that states the equation of the conic."""
+        """Return the beginning of a sentence with the equation of the conic."""
         e, rectum = self.orbit.oval.latex(), self._rectum.latex()
         said = rf"On the conic section the distance is $\frac{{{rectum}}}{{1 + {e} \cos\nu}}$, with the eccentricity"
         return rf"{said} ${e}$ and the angle $\nu$ turned since the nearest point"
 
     def _reason(self, kind: str) -> str:
-        """Return the label of the step that gives the direction, or the components of the velocity."""
+        """Return the label of the step with the direction, or with the components of the velocity."""
         return {"s": DIRECTION, "v": VELOCITY}.get(kind, "")
 
     @cached_property
     def _told_direction(self) -> str:
-        """Write where the body is seen from the star; return the label of that step."""
+        """Write the direction from the star to the body; return the label of that step."""
         step, (x, y) = self.orbit.book.open("direction"), self._direction
         line = f"The line from {self._star} to {self._who} then has the direction of"
         step.say(rf"{line} $\left({x.latex()}, {y.latex()}\right)$, which has the length ${self.orbit.radius.name}$.")
@@ -80,7 +81,7 @@ class Turned(OrbitPlace):
 
     @cached_property
     def _told_velocity(self) -> str:
-        """Write along which directions the velocity has which components; return the label of that step."""
+        """Write the radial and tangential components of the velocity; return the label of that step."""
         label, outward, step = self._told_direction, self._outward_now, self.orbit.book.open("direction")
         step.rest_on(label)
         across = self.orbit.momentum / self.radius
@@ -95,7 +96,7 @@ class Turned(OrbitPlace):
 
     @cached_property
     def _outward_now(self) -> Expression:
-        """Return the radial velocity there, in m/s."""
+        """Return the radial velocity after the turn, m/s."""
         if self._quarters == 2:
             return -self._outward
         orbit = self.orbit
@@ -106,7 +107,7 @@ class Turned(OrbitPlace):
 
     @property
     def _direction(self) -> tuple[Expression, Expression]:
-        """From the centre to the body, times the distance at the start."""
+        """Return the direction from the centre to the body, times the initial distance."""
         x, y = self.orbit.place
         if self._quarters == 2:
             return -x, -y
@@ -129,7 +130,7 @@ class Turned(OrbitPlace):
         return self._perpendicular() if self.orbit.dot != ZERO else self._from_apsis()
 
     def _lagrange(self, name: Symbol) -> str:
-        """Return a sentence about the place when the anomaly has grown by an angle."""
+        """Return a sentence with the position after the anomaly has increased by an angle."""
         orbit = self.orbit
         less, more = orbit.weights(name)
         said = f"When ${orbit.anomaly.latex()}$ has increased by ${name.latex()}$, the position is, by Lagrange's"
@@ -137,7 +138,7 @@ class Turned(OrbitPlace):
         return f"{said} and the initial velocity times ${more.latex()}$."
 
     def _from_apsis(self) -> Expression:
-        """Return the increase over a quarter turn from an end of the major axis."""
+        """Return the increase of the anomaly over a quarter turn from an end of the major axis."""
         orbit, name = self.orbit, self.orbit.named(r"\eta")
         step = orbit.book.open("anomaly")
         step.say(self._lagrange(name))
@@ -149,7 +150,7 @@ class Turned(OrbitPlace):
         return name
 
     def _perpendicular(self) -> Expression:
-        """Return the increase over a quarter turn, by a quadratic equation for cot(η/2)."""
+        """Return the increase of the anomaly over a quarter turn, by a quadratic equation for cot(η/2)."""
         orbit, book, name, cot = self.orbit, self.orbit.book, self.orbit.named(r"\eta"), self.orbit.named("c")
         (less, more), r, a, q = orbit.weights(name), orbit.radius, orbit.axis, orbit.across
         step, half = book.open("anomaly"), name / TWO
@@ -168,7 +169,7 @@ class Turned(OrbitPlace):
         return name
 
     def _opposite_end(self) -> Expression:
-        """Return the increase over half a turn: the first velocity has no part in the place."""
+        """Return the increase of the anomaly over half a turn, where the initial velocity has coefficient zero."""
         orbit, name = self.orbit, self.orbit.named(r"\eta")
         if orbit.dot == ZERO:
             return PI
@@ -187,5 +188,5 @@ class Turned(OrbitPlace):
 
 
 def _halved(angle: Symbol) -> str:
-    """Return how a cosine hangs on half an angle."""
+    """Return the formula for a cosine in terms of the half angle, in words."""
     return rf"$1 - \cos{angle.latex()} = 2\,\sin^{{2}} \left({(angle / TWO).latex()}\right)$"

@@ -1,4 +1,4 @@
-"""Times and places at which a charged body turns back or reaches its greatest distance."""
+"""Turning points of a charged body, and its greatest distance from an axis."""
 
 from math import radians
 
@@ -22,14 +22,14 @@ REACHES = {found.name: found.along for found in (GreatestYAxisDistance, Greatest
 
 
 class Reach:
-    """The greatest distance from an axis, written by the centre and the amplitude of the motion along a coordinate."""
+    """The greatest distance from an axis, by centre and amplitude of the motion along a coordinate."""
 
     def __init__(self, motion: FieldMotion, axis: int, launched: Expression) -> None:
-        """`axis` is the number of the coordinate, `launched` the speed at the start."""
+        """Take the motion, the index of the coordinate, and the initial speed."""
         self.motion, self.axis, self.launched, self.book = motion, axis, launched, motion.book
 
     def written(self) -> Symbol:
-        """Write the steps, and return the name of the distance."""
+        """Write the steps and return the symbol of the distance."""
         if isinstance(self.motion, Turning):
             center, size = self._round(self.motion)
         elif isinstance(self.motion, Driven):
@@ -51,7 +51,7 @@ class Reach:
         return self.book.told("extremum", f"{said} from the {across} axis is", self.book.fresh("d"), far + size, METRES)
 
     def _round(self, motion: Turning) -> tuple[Expression, Expression]:
-        """Return the centre along the coordinate and the radius of the circle of what turns."""
+        """Return the centre along the coordinate and the radius of the circle of the rotating part."""
         drive, turns = motion.drive, motion.turning
         if motion.fields.damping is not None or (drive is not None and (drive.growth or drive.frequency is not None)):
             raise UnsolvedError("what turns does so about no fixed centre")
@@ -89,9 +89,9 @@ class Reach:
 
 
 def fastest_at_center(fields: Fields, launched: Expression) -> Symbol | None:
-    """Write the greatest speed in a field that drives a body back: where it is zero, by energy; else None.
+    """Write the greatest speed in a restoring field, by energy, at its zero; None in other fields.
 
-    `launched` is the speed at the start.
+    `launched` is the initial speed.
     """
     drive, book = fields.drive, fields.book
     if drive is None or drive.slope is None or drive.along != drive.axis or book.value(drive.slope) >= 0.0:
@@ -119,21 +119,22 @@ TURNED = (AcrossField, VelocityReturned, VelocityTurned)
 
 
 class FieldTurn:
-    """A moment of a turning velocity, with the components of the motion at it where they have short formulas."""
+    """A moment at which the velocity has turned, with the components of the motion that have short formulas then."""
 
     def __init__(self, moment: Moment, fields: Fields, motion: FieldMotion) -> None:
-        """Nothing is written yet."""
+        """Take the moment, the fields and the motion."""
         self.moment, self.fields, self.motion = moment, fields, motion
         self.book, self.setting = fields.book, fields.setting
-        self._timed = False  # whether it is told after which time half a turn is made
+        self._timed = False  # whether the text states the time of half a turn
 
     @property
     def _who(self) -> str:
+        """Return the name of the body."""
         return self.setting.called(self.fields.body)
 
     @property
     def pace(self) -> Expression:
-        """Return the size of the angular velocity of what a magnetic field turns."""
+        """Return the magnitude of the angular velocity of the rotating velocity."""
         turns = self.fields.turning
         if turns is None:
             raise UnsolvedError("nothing turns uniformly")
@@ -141,14 +142,14 @@ class FieldTurn:
 
     @cached_property
     def angle(self) -> Symbol:
-        """Return the name of the angle through which the velocity has turned."""
+        """Return the symbol of the angle through which the velocity has turned."""
         assert isinstance(self.moment, VelocityTurned)
         name = self.book.fresh(r"\alpha")
         self.book.say_given(name.name, radians(self.moment.value), DEGREES)
         return name
 
     def speed(self, launched: Expression) -> Symbol | None:
-        """Write the speed where an electric field has turned the velocity; None of other moments."""
+        """Write the speed after an electric field has turned the velocity; None at other moments."""
         if not isinstance(self.moment, VelocityTurned):
             return None
         said = "The electric force is perpendicular to the initial velocity, so the component across the field"
@@ -157,11 +158,11 @@ class FieldTurn:
         return self.book.told("speed", said, self.book.fresh("v"), formula, SPEED)
 
     def time(self, name: Symbol, launched: Expression) -> Symbol:
-        """Write when it is; `launched` is the speed at the start."""
+        """Write the time of the moment; `launched` is the initial speed."""
         if isinstance(self.moment, VelocityTurned):
             return self._turned(name, launched)
         if isinstance(self.moment, VelocityReturned):
-            self.motion.rate(0, name)  # so that it is told first what turns
+            self.motion.rate(0, name)  # so that the rotating part is introduced first
             said = f"When its rotating part has made a full turn, {self._who} has its initial velocity again, after"
             return self.book.told("turn", said, name, TWO_TURNS * PI / self.pace, SECONDS)
         return self._across(name)
@@ -188,7 +189,7 @@ class FieldTurn:
         return name
 
     def _across(self, name: Symbol) -> Symbol:
-        """Write the time after which the component along the electric field is zero."""
+        """Write the time after which the velocity component along the electric field is zero."""
         drive = self.fields.drive
         assert drive is not None
         if (swing := self._swing) is not None:
@@ -212,7 +213,7 @@ class FieldTurn:
 
     @property
     def halved(self) -> bool:
-        """Return whether the rotating part has made half a turn then: the launch has no component along the field."""
+        """Return whether the rotating part has made half a turn: the launch has no component along the field."""
         drive = self.fields.drive
         if drive is None or not isinstance(self.moment, AcrossField) or not isinstance(self.motion, Turning):
             return False
@@ -220,7 +221,7 @@ class FieldTurn:
 
     @property
     def _swing(self) -> Driven | None:
-        """Return the motion if it is an oscillation along the field from one end to the other; else None."""
+        """Return the motion if it is half an oscillation along the field; else None."""
         drive, motion = self.fields.drive, self.motion
         if drive is None or not isinstance(self.moment, AcrossField) or not isinstance(motion, Driven):
             return None
@@ -228,7 +229,7 @@ class FieldTurn:
         return motion if along and motion.swings else None
 
     def _swung(self, swing: Driven, kind: str, axis: int, time: Expression) -> Expression | None:
-        """Return a component after half an oscillation, if it is short; else None."""
+        """Return a component after half an oscillation if its formula is short; else None."""
         drive, turning = self.fields.drive, self.fields.turning
         if drive is not None and axis == drive.axis:
             return TWO_TURNS * swing.center if kind == "s" else None
@@ -239,7 +240,7 @@ class FieldTurn:
         return launched + TWO_TURNS * bent if kind == "v" else (launched + bent) * time if kind == "s" else None
 
     def component(self, kind: str, axis: int, time: Expression) -> Expression | None:
-        """Return a component of the displacement ``s`` or velocity ``v`` then, where it is a short one; else None."""
+        """Return a component of displacement ``s`` or velocity ``v`` if its formula is short; else None."""
         drive, motion = self.fields.drive, self.motion
         if isinstance(self.moment, AcrossField) and kind == "v" and drive is not None and drive.axis == axis:
             return ZERO
@@ -248,7 +249,7 @@ class FieldTurn:
         return self._rotated(motion, kind, axis, time) if isinstance(motion, Turning) else None
 
     def _rotated(self, motion: Turning, kind: str, axis: int, time: Expression) -> Expression | None:
-        """Return a component after a whole turn, or half a one, of what a magnetic field rotates; else None."""
+        """Return a component after a full or half turn of the rotating velocity; else None."""
         if isinstance(self.moment, VelocityReturned):
             return motion.carried(axis, time) if kind == "s" else None
         if not self.halved:
@@ -258,7 +259,7 @@ class FieldTurn:
         return motion.carried(axis, time) + TWO_TURNS * motion.turned[1 - axis] * TURNS[axis] / motion.turning
 
     def told(self, kind: str, axis: int) -> str:
-        """Return the beginning of a sentence that gives a short component and why it is so; empty for others."""
+        """Return the beginning of a sentence with a short component and its reason; empty for others."""
         motion = self.motion
         if kind in ("v", "s") and self._swing is not None:
             return self._told_swung(kind, axis)
@@ -279,7 +280,7 @@ class FieldTurn:
         return f"{told}; along {AXES[axis]} the displacement is"
 
     def _told_swung(self, kind: str, axis: int) -> str:
-        """Return the beginning of a sentence that gives a component after half an oscillation; empty for others."""
+        """Return the beginning of a sentence with a component after half an oscillation; empty for others."""
         drive, along = self.fields.drive, AXES[axis]
         if drive is not None and axis == drive.axis:
             when = "" if self._timed else ", after which the velocity is perpendicular to the electric field,"
@@ -296,7 +297,7 @@ class FieldTurn:
         return f"{ends}, the velocity along {along} is"
 
     def chord(self, radius: Expression) -> Symbol:
-        """Write the distance from the start where a velocity of constant size has turned through the angle."""
+        """Write the distance from the start after the velocity, of constant speed, has turned through the angle."""
         said = (
             "The distance from the starting point is the chord of the arc covered, which has this angle at the centre,"
         )

@@ -1,4 +1,4 @@
-"""Quantities of questions in terms of accelerations, velocities, displacements and forces; one a file."""
+"""Quantities of questions in terms of accelerations, velocities, displacements and forces, one family a module."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
@@ -24,91 +24,91 @@ AXES = ("x", "y", "z")
 
 
 class Stretch(ABC):
-    """A part of a motion; by default a path is all that it has."""
+    """A part of a motion; by default only the distances travelled in it are known."""
 
     __slots__ = ()
 
     @property
     def time(self) -> Symbol:
-        """Return how long the part takes, in s."""
+        """Return the duration of the part, s."""
         raise UnsolvedError("no time in which no force changes")
 
     def force(self, kind: str, name: str) -> Polynomial:
-        """Return a tension, or the friction on a body that slides, if it is constant: zero where there is none."""
+        """Return a tension, or the kinetic friction on a body, if it is constant; zero if it does not act."""
         raise UnsolvedError(f"no {kind} of {name} that is constant")
 
     def moved(self, body: str, line: str) -> Polynomial:
-        """Return how far a body moves, in m, along a line that is tied to it, away from where that is tied."""
+        """Return the displacement of a body, m, along a line attached to it, away from the attachment."""
         raise UnsolvedError(f"no way of {body} along {line}")
 
     def slipped(self, body: str) -> Polynomial:
-        """Return how far a body slips on its face, in m."""
+        """Return the displacement of a body relative to the surface under it, m."""
         raise UnsolvedError(f"no slip of {body}")
 
     def drawn(self, line: str) -> Polynomial:
-        """Return by how much a line grows shorter, in m."""
+        """Return the decrease of a line's length, m."""
         raise UnsolvedError(f"no change of {line}")
 
     @abstractmethod
     def path(self, body: str) -> Expression:
-        """Return how far a body travels along its line, to and fro, in m."""
+        """Return the distance that a body travels along its line, with all reversals, m."""
 
     def paths(self, body: str) -> Sequence[Expression]:
-        """Return the distances between successive turning points in this part."""
+        """Return the distances between successive turning points, m."""
         return (self.path(body),)
 
 
 class Known(Protocol):
-    """A strategy's knowledge of the motion at the moment in question; its methods write the steps that lead there."""
+    """The motion at the moment of a question, as a strategy knows it; methods write the steps to their results."""
 
     @property
     def setting(self) -> Setting:
-        """The scene and the query."""
+        """Return the scene and the question."""
         ...
 
     @property
     def book(self) -> Book:
-        """Return where it is written."""
+        """Return the solution that is being written."""
         ...
 
     def vector(self, kind: str, body: str) -> Components:
-        """The acceleration ``a``, velocity ``v`` (``u`` at the start) or displacement ``s`` of a body, by component."""
+        """Return a body's acceleration ``a``, velocity ``v`` (initial: ``u``) or displacement ``s``, by component."""
         ...
 
     def apart(self, one: str, other: str) -> Components:
-        """From the centre of one body to that of another, at the start."""
+        """Return the initial vector from the centre of one body to that of another."""
         ...
 
     def axes(self, body: str) -> tuple[str, ...]:
-        """Return the text's names of directions for a body: x, y, z unless it has axes of its own."""
+        """Return the names of a body's axes in the text: x, y, z unless it has axes of its own."""
         ...
 
     def component(self, kind: str, body: str, way: Vector) -> Polynomial:
-        """The component of one of these along a direction of the room, or along the line of the body's own motion."""
+        """Return the component of a vector along a direction of the world frame, or of the body's own line."""
         ...
 
     def lone(self, kind: str, body: str) -> Polynomial | None:
-        """Return one of these along the only line on which a body moves; None if it has several."""
+        """Return a vector along a body's only line of motion; None if the body moves along several."""
         ...
 
     def rim(self, kind: str, body: str) -> Polynomial:
-        """The acceleration, speed or path of the rim of a body that turns about its own axis; zero if it does not."""
+        """Return acceleration, velocity or distance of the rim of a rotating body; zero for other bodies."""
         ...
 
     def radius(self, body: str) -> Polynomial:
-        """Return the radius of that rim."""
+        """Return the radius of a body's rim."""
         ...
 
     def rim_inertia(self, body: str) -> Polynomial:
-        """Return the moment of inertia over the square of that radius."""
+        """Return a body's moment of inertia over the square of its rim's radius."""
         ...
 
     def tell_arcs(self, body: str) -> None:
-        """Write through which arcs that rim turns one after the other, if there are several."""
+        """Write the successive arcs through which a body's rim turns, if there are several."""
         ...
 
     def force(self, kind: str, name: str) -> Symbol:
-        """Return the tension ``T`` of a line, or normal force ``N`` or friction ``f`` on a body."""
+        """Return the tension ``T`` of a line, or the normal force ``N`` or friction ``f`` on a body."""
         ...
 
     def mass(self, body: str) -> Polynomial:
@@ -116,16 +116,16 @@ class Known(Protocol):
         ...
 
     def spring(self, what: str, line: str) -> Polynomial:
-        """Return a number of a spring: its ``stiffness``, ``damping``, or at the start its ``length`` or ``strain``."""
+        """Return a number of a spring: ``stiffness``, ``damping``, or the initial ``length`` or ``strain``."""
         ...
 
     def growth(self, kind: str, line: str) -> Polynomial:
-        """Return by how much a line has grown, in m, for the kind ``s``, or how fast it grows, in m/s, for ``v``."""
+        """Return the increase of a line's length, m, for the kind ``s``, or its rate, m/s, for ``v``."""
         ...
 
     @property
     def stretches(self) -> Sequence[Stretch]:
-        """The parts of the motion, in order."""
+        """Return the parts of the motion in order."""
         ...
 
     def work(self, line: str, body: str) -> Symbol | None:
@@ -138,67 +138,67 @@ class Known(Protocol):
 
     @property
     def impacts(self) -> Sequence[Struck]:
-        """The collisions that the question is about, in order."""
+        """Return the collisions that the question refers to, in order."""
         ...
 
     @property
     def speeds(self) -> AbstractSet[str]:
-        """The given names that are speeds or distances of bodies."""
+        """Return the names of given numbers that are speeds or distances of bodies."""
         ...
 
     @property
     def gravity(self) -> Polynomial:
-        """The acceleration of free fall."""
+        """Return the gravitational acceleration."""
         ...
 
 
 class Goal(ABC):
-    """A quantity, and the way in which it follows from the knowledge of a strategy."""
+    """A quantity of a question, and its derivation from the motion."""
 
     @property
     def summary(self) -> str:
-        """Return the first line of the docstring of its class, with which lists describe it."""
+        """Return the first line of the class docstring as a description."""
         return (type(self).__doc__ or "").partition("\n")[0]
 
     @property
     @abstractmethod
     def uses(self) -> str:
-        """Return what it needs: accelerations ``a``, velocities ``v``, displacements ``s``; empty for nothing."""
+        """Return the needed kinds of vectors: ``a`` accelerations, ``v`` velocities, ``s`` displacements; or ""."""
 
     @property
     def turns(self) -> bool:
-        """Return whether it depends on the rotation of a body about its own axis; by default it does not."""
+        """Return whether the quantity depends on rotation of a body about its own axis; by default False."""
         return False
 
     @property
     def throughout(self) -> bool:
-        """Return whether it depends on forces all the while; by default it does on those at the end alone."""
+        """Return whether the quantity depends on forces during the whole motion, not only at its end."""
         return False
 
     def bodies(self, target: Target) -> Sequence[str]:
-        """Return the bodies whose motion it needs; by default its subject."""
+        """Return the bodies whose motion the quantity depends on; by default its subject."""
         return (target.subject,)
 
     def lines(self, target: Target) -> Sequence[str]:
-        """Return the lines whose length it needs; by default none."""
+        """Return the lines whose length the quantity depends on; by default none."""
         del target
         return ()
 
     def force(self, target: Target, setting: Setting) -> str:
-        """Return the force that it is, such as ``T2``; by default none."""
+        """Return the unknown force equal to the quantity, such as ``T2``; by default ""."""
         del target, setting
         return ""
 
     @abstractmethod
     def write(self, target: Target, known: Known) -> Symbol:
-        """Write the way to it; the symbol has the answer's value, in SI units."""
+        """Write the derivation and return the symbol whose value is the answer, in SI units."""
 
 
 GOALS: Registry[Goal] = Registry("solutions.goals")
 
 
 def single(parts: Components, known: Known) -> Symbol | None:
-    """Return the symbol of which all components are multiples, by a unit vector; None if there are several."""
+    """Return the symbol whose multiple by a unit vector a vector is; None if there are several symbols."""
     names = {name for part in parts for name in part.names() if name in known.book.values}
     unknown = [name for name in sorted(names) if not known.setting.is_given(name) or name in known.speeds]
     if len(unknown) != 1:
@@ -209,10 +209,10 @@ def single(parts: Components, known: Known) -> Symbol | None:
 
 
 def modulus(held: Expression, book: Book, *, of_either_sign: bool = False) -> Expression:
-    """Return the modulus of a formula: between bars where its value is negative.
+    """Return the absolute value of a formula, with bars where its value is negative.
 
-    With `of_either_sign` a formula in symbols is between bars whatever its value is. What hangs on an unknown changes
-    its sign instead, so that it can be solved for that.
+    With `of_either_sign`, a symbolic formula always stands between bars. A formula that depends on an unknown changes
+    its sign instead, so that it can be solved for the unknown.
     """
     positive = book.value(held) >= 0.0
     if isinstance(held, Root | Absolute):
@@ -227,7 +227,7 @@ def modulus(held: Expression, book: Book, *, of_either_sign: bool = False) -> Ex
 
 
 def _along(way: Vector, part: Polynomial, known: Known) -> str:
-    """Return the direction in which a component that has a name is positive; in symbols without its sense."""
+    """Return the direction in which a named component is positive; in symbols only its line."""
     if known.book.in_symbols:
         return "vertically" if way == Z else "horizontally"
     ((x, y, z), (sign,)) = way, part.terms.values()
@@ -239,14 +239,14 @@ def magnitude(
 ) -> Expression:
     """Return the magnitude of a vector as a formula of its components, each of which gets a name.
 
-    Components along the axes of the room are said to be `relative_to` something.
+    For components along world axes, the sentence names the frame `relative_to`.
     """
     one = single(parts, known)
     if one is not None:
         return modulus(one, known.book, of_either_sign=needs_modulus(known.setting, known.book, one, body))
     axes = known.axes(body)
     kept = [(axis, way, part) for axis, way, part in zip(axes, (X, Y, Z), parts, strict=True) if part]
-    kind = "components" if any(part.symbol is None for _, _, part in kept) else "meaning"  # it gives no name
+    kind = "components" if any(part.symbol is None for _, _, part in kept) else "meaning"  # "meaning" defines no names
     step, mark = known.book.open(kind), known.setting.mark(body)
     names, sentences = list[Symbol](), list[str]()
     for axis, way, part in kept:
@@ -275,7 +275,7 @@ def magnitude(
 
 @dataclass(frozen=True, slots=True)
 class VectorName:
-    """The letter, the unit in LaTeX and the word of a vector."""
+    """The letter, the LaTeX unit and the noun of a quantity."""
 
     base: str
     unit: str
@@ -283,12 +283,12 @@ class VectorName:
 
     @classmethod
     def of(cls, quantity: str, said: str = "") -> Self:
-        """Return the name of a quantity or functional, which is its own word unless another is `said`."""
+        """Return the name of a quantity or functional; its noun is the quantity itself unless `said` is given."""
         return cls(LETTERS[quantity], unit_of_quantity(quantity), said or quantity)
 
 
 def finish(known: Known, formula: Expression, noun: VectorName, mark: str, what: str) -> Symbol:
-    """Return the last step: a name for the answer, unless it has one."""
+    """Write the final step with a name for the answer; a formula that is a symbol needs none."""
     if isinstance(formula, Symbol):
         return formula
     step = known.book.open("answer")

@@ -1,4 +1,4 @@
-"""The distance of two bodies."""
+"""Distance between two bodies."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -11,19 +11,19 @@ from sim2reason.solutions.goals import GOALS, Components, Goal, Known, VectorNam
 
 @dataclass(frozen=True, slots=True)
 class DistanceGoal(Goal):
-    """The size of the difference of two places."""
+    """The distance between two bodies."""
 
     @property
     def uses(self) -> str:
-        """Displacements."""
+        """Return ``s``, for displacements."""
         return "s"
 
     def bodies(self, target: Target) -> Sequence[str]:
-        """Both."""
+        """Return both bodies."""
         return members(target.subject)
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """Return how far apart they were, and how far each has come since."""
+        """Write the initial separation and the displacements since, then the distance."""
         one, other = members(target.subject)
         apart, a, b = known.apart(one, other), known.vector("s", one), known.vector("s", other)
         parts: Components = (apart[0] + b[0] - a[0], apart[1] + b[1] - a[1], apart[2] + b[2] - a[2])

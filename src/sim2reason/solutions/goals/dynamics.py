@@ -12,18 +12,18 @@ UP = (0.0, 0.0, 1.0)
 
 @dataclass(frozen=True, slots=True)
 class MassTimes(Goal):
-    """The mass of a body times a vector: a momentum, or the net force."""
+    """The momentum of a body or the net force on it: mass times a vector."""
 
     noun: VectorName
     of: VectorName
 
     @property
     def uses(self) -> str:
-        """The vector."""
+        """Return the kind of the vector."""
         return self.of.base
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """Return the vector, then m times it."""
+        """Write the magnitude of the vector, then m times it."""
         body, mass = target.subject, known.mass(target.subject).expression()
         mark = r"\text{net}" if self.noun.base == "F" else known.setting.mark(body)
         whose = f"{self.noun.said} {'on' if self.noun.base == 'F' else 'of'} {known.setting.called(body)}"
@@ -38,20 +38,20 @@ class MassTimes(Goal):
 
 @dataclass(frozen=True, slots=True)
 class KineticEnergyGoal(Goal):
-    """½ m v², and ½ I ω² of what turns."""
+    """The kinetic energy of a body, ½ m v² with ½ I ω² for its rotation."""
 
     @property
     def uses(self) -> str:
-        """The velocity."""
+        """Return ``v``, for the velocity."""
         return "v"
 
     @property
     def turns(self) -> bool:
-        """Of what turns, too."""
+        """Return True: rotation contributes."""
         return True
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """Return the speed, then the energy."""
+        """Write the speed, then the energy."""
         body, rim = target.subject, known.rim("v", target.subject)
         speed = magnitude(known.vector("v", body), known, VELOCITIES, body)
         formula = multiplied(known.mass(body).scaled(0.5).expression(), squared(speed))
@@ -64,15 +64,15 @@ class KineticEnergyGoal(Goal):
 
 @dataclass(frozen=True, slots=True)
 class PotentialEnergyGoal(Goal):
-    """m g h, h being how far a body has risen."""
+    """The change in gravitational potential energy of a body, m g h, where h is its rise."""
 
     @property
     def uses(self) -> str:
-        """The displacement."""
+        """Return ``s``, for the displacement."""
         return "s"
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """Return the rise, then the size of the change in energy."""
+        """Write the rise, then the magnitude of the change in energy."""
         body = target.subject
         rise = known.component(DISPLACEMENTS.base, body, UP)
         formula = (known.mass(body) * known.gravity * rise).factored()

@@ -1,4 +1,4 @@
-"""Tensions, normal forces and frictions: Newton's laws give them at once."""
+"""Tensions, normal forces and friction forces, which Newton's laws give directly."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -11,22 +11,22 @@ from sim2reason.solutions.setting import Setting
 
 @dataclass(frozen=True, slots=True)
 class ForceGoal(Goal):
-    """A force of a line or a face, by its letter."""
+    """The tension of a string, or the normal force or friction on a body, by its letter."""
 
     kind: str
 
     @property
     def uses(self) -> str:
-        """Nothing."""
+        """Return "": no vector is needed."""
         return ""
 
     def bodies(self, target: Target) -> Sequence[str]:
-        """Return None by themselves."""
+        """Return no bodies."""
         del target
         return ()
 
     def force(self, target: Target, setting: Setting) -> str:
-        """Return its number among lines or faces."""
+        """Return the letter of the force with the index of its string or contact."""
         if self.kind == "T":
             names = [line.name for line in setting.mechanism.constraints]
         else:
@@ -34,7 +34,7 @@ class ForceGoal(Goal):
         return f"{self.kind}{names.index(target.subject)}" if target.subject in names else ""
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """It is known by then."""
+        """Return the symbol of the force, already known from Newton's laws."""
         return known.force(self.kind, target.subject)
 
 

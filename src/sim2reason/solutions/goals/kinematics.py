@@ -1,4 +1,4 @@
-"""Displacements, velocities, accelerations and rotations as goals of a solution."""
+"""Displacements, velocities, accelerations and rotations."""
 
 from abc import abstractmethod
 from collections.abc import Sequence
@@ -19,7 +19,7 @@ ACCELERATIONS = VectorName.of("acceleration")
 
 
 def along_sense(whose: str, sense: Sense) -> str:
-    """Return what a component of a vector is called; of a vector along a line, which sense is positive."""
+    """Return the name of a vector component, or the positive sense for a vector along a line."""
     if sense.fixed:
         return f"the {sense.axis} component of the {whose}"
     return f"the {whose} (taking {sense.positive} as positive)"
@@ -27,17 +27,17 @@ def along_sense(whose: str, sense: Sense) -> str:
 
 @dataclass(frozen=True, slots=True)
 class VectorGoal(Goal):
-    """A vector of a body: its component along a sense, or its size."""
+    """A displacement, velocity or acceleration of a body: its component along a sense, or its magnitude."""
 
     noun: VectorName
 
     @property
     def uses(self) -> str:
-        """The vector."""
+        """Return the kind of the vector."""
         return self.noun.base
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """Components, then what is asked."""
+        """Write the components, then the component or magnitude asked for."""
         body, base = target.subject, self.noun.base
         whose, carrier = f"{self.noun.said} of {known.setting.called(body)}", known.setting.mechanism.body[body].parent
         mark = known.setting.mark(body)
@@ -64,19 +64,19 @@ for _name, _noun in {"displacement": DISPLACEMENTS, "velocity": VELOCITIES, "acc
 
 @dataclass(frozen=True, slots=True)
 class RelativeSpeedGoal(Goal):
-    """The size of the difference of two velocities."""
+    """The relative speed of two bodies."""
 
     @property
     def uses(self) -> str:
-        """Velocities."""
+        """Return ``v``, for velocities."""
         return "v"
 
     def bodies(self, target: Target) -> Sequence[str]:
-        """Both."""
+        """Return both bodies."""
         return members(target.subject)
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """Their difference, component by component."""
+        """Write the difference of the velocities component by component, then its magnitude."""
         one, other = members(target.subject)
         a, b = known.vector("v", one), known.vector("v", other)
         parts: Components = (b[0] - a[0], b[1] - a[1], b[2] - a[2])
@@ -89,24 +89,24 @@ GOALS.add("relative speed", RelativeSpeedGoal())
 
 
 class AboutAxis(Goal):
-    """A quantity that depends on the rotation of a body about its axis."""
+    """A quantity that depends on the rotation of a body about its own axis."""
 
     @property
     def turns(self) -> bool:
-        """It does."""
+        """Return True: the quantity depends on rotation."""
         return True
 
 
 @dataclass(frozen=True, slots=True)
 class AngularGoal(AboutAxis):
-    """The rate of the rim over its radius."""
+    """An angular velocity or acceleration of a body: that of its rim over the radius."""
 
     noun: VectorName
     of: str
 
     @property
     def uses(self) -> str:
-        """Return the kind of motion of the rim that it needs: ``a``, ``v`` or ``s``."""
+        """Return the kind of motion of the rim: ``a``, ``v`` or ``s``."""
         return self.of
 
     def write(self, target: Target, known: Known) -> Symbol:
@@ -119,10 +119,10 @@ class AngularGoal(AboutAxis):
 
 @dataclass(frozen=True, slots=True)
 class AngleGoal(AngularGoal):
-    """The arc through which the rim has turned over its radius."""
+    """The angle of rotation of a body: the arc of its rim over the radius."""
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """Say first which arcs are turned back, if there are several."""
+        """Write the arcs in opposite senses, if there are several, then the angle."""
         known.rim(self.of, target.subject)
         known.tell_arcs(target.subject)
         return AngularGoal.write(self, target, known)
@@ -130,14 +130,14 @@ class AngleGoal(AngularGoal):
 
 @dataclass(frozen=True, slots=True)
 class InertiaTimes(AboutAxis):
-    """The moment of inertia, or that times the rate of the rim over its radius: I ω, I α."""
+    """The moment of inertia of a body, its angular momentum I ω, or the net torque I α."""
 
     noun: VectorName
     of: str  # empty for the moment of inertia alone
 
     @property
     def uses(self) -> str:
-        """Return the kind of motion of the rim that it needs: ``a``, ``v`` or ``s``."""
+        """Return the kind of motion of the rim: ``a``, ``v`` or ``s``."""
         return self.of
 
     def write(self, target: Target, known: Known) -> Symbol:
@@ -153,13 +153,13 @@ class InertiaTimes(AboutAxis):
 
 
 class KineticShare(Goal):
-    """A part of the kinetic energy: half of what counts as a mass, times the square of a speed."""
+    """A part of the kinetic energy of a body: half an effective mass times the square of a speed."""
 
     noun: ClassVar[VectorName]
 
     @property
     def uses(self) -> str:
-        """The velocity."""
+        """Return ``v``, for the velocity."""
         return "v"
 
     @abstractmethod
@@ -167,19 +167,19 @@ class KineticShare(Goal):
         """Return this part of the kinetic energy of a body, in J."""
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """Return one formula."""
+        """Write the energy as one formula."""
         body = target.subject
         what = f"{self.why(body, known)}the {self.noun.said} of {known.setting.called(body)}"
         return finish(known, self.energy(body, known), self.noun, known.setting.mark(body), what)
 
     def why(self, body: str, known: Known) -> str:
-        """Return a clause before what it is, by default nothing."""
+        """Return a clause that introduces the energy; by default ""."""
         del body, known
         return ""
 
 
 class EnergyOfRim(KineticShare, AboutAxis):
-    """½ I ω² as ½ (I/R²) of the square of the rim's speed."""
+    """The rotational energy of a body, ½ I ω², as ½ (I/R²) v² with the speed v of its rim."""
 
     noun = VectorName.of("rotational kinetic energy", "energy of rotation")
 
@@ -190,24 +190,24 @@ class EnergyOfRim(KineticShare, AboutAxis):
         return f"as its radius times its angular velocity is ${along.latex()}$, "
 
     def energy(self, body: str, known: Known) -> Expression:
-        """Half of I/R² times the square."""
+        """Return ½ (I/R²) v², J."""
         half = known.rim_inertia(body).scaled(0.5).expression()
         return multiplied(half, squared(known.rim("v", body).expression()))
 
 
 class EnergyOfCenter(KineticShare):
-    """½ m v² of the centre of mass."""
+    """The translational energy of a body, ½ m v², with the speed v of its centre of mass."""
 
     noun = VectorName.of("translational kinetic energy", "energy of translation")
 
     def energy(self, body: str, known: Known) -> Expression:
-        """Half of m v²."""
+        """Return ½ m v², J."""
         speed = magnitude(known.vector("v", body), known, VELOCITIES, body)
         return multiplied(known.mass(body).scaled(0.5).expression(), squared(speed))
 
 
 def squared(held: Expression) -> Expression:
-    """Return the square of a formula; that of a root is its radicand, and signs and bars fall away."""
+    """Return the square of a formula; the square of a root is its radicand, without signs and bars."""
     if isinstance(held, Root):
         return held.inside
     if isinstance(held, Absolute):

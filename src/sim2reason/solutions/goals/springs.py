@@ -1,4 +1,4 @@
-"""How far springs are stretched, how hard they pull, and what they store."""
+"""Extension, length, force and energy of springs."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -26,7 +26,7 @@ _CALLED = {  # what is positive, what is so where that is negative, and the modu
 
 @dataclass(frozen=True, slots=True)
 class SpringGoal(Goal):
-    """Something of a spring."""
+    """The extension, length, extension rate, force or energy of a spring."""
 
     noun: VectorName
 
@@ -36,7 +36,7 @@ class SpringGoal(Goal):
         return "v" if self.noun is RATE else "s"
 
     def bodies(self, target: Target) -> Sequence[str]:
-        """Return None by themselves."""
+        """Return no bodies."""
         del target
         return ()
 
@@ -45,7 +45,7 @@ class SpringGoal(Goal):
         return (target.subject,)
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """Write the quantity by the extension of the spring, with a sign where one is asked for."""
+        """Write the quantity in terms of the spring's extension, signed if a sign is asked for."""
         formula = self._formula(target.subject, known)
         named, opposite, either = _CALLED[self.noun]
         if target.sense is None and self.noun not in (ENERGY, LENGTH):
@@ -62,6 +62,7 @@ class SpringGoal(Goal):
         return finish(known, formula, self.noun, "", f"the {named} of {spring}")
 
     def _formula(self, line: str, known: Known) -> Expression:
+        """Return the formula of the quantity in terms of the spring's extension."""
         if self.noun is RATE:
             return known.growth("v", line).expression()
         if self.noun is LENGTH:

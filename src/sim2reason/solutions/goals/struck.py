@@ -1,4 +1,4 @@
-"""The interface of a collision for goals."""
+"""Interface of a collision as goals use it."""
 
 from typing import Protocol
 
@@ -10,30 +10,30 @@ class Struck(Protocol):
 
     @property
     def bodies(self) -> tuple[str, ...]:
-        """Return the bodies that collide."""
+        """Return the names of the colliding bodies."""
         ...
 
     @property
     def told(self) -> str:
-        """Return a name of it, such as *the first collision of A and B*."""
+        """Return the name of the collision, such as *the first collision of A and B*."""
         ...
 
     @property
     def loses(self) -> str:
-        """Return the beginning of a sentence that says why kinetic energy is lost."""
+        """Return the beginning of a sentence with the reason for the loss of kinetic energy."""
         ...
 
     @property
     def pushes(self) -> str:
-        """Return the beginning of a sentence that names the laws for the impulse."""
+        """Return the beginning of a sentence with the laws that give the impulse."""
         ...
 
     @property
     def lost(self) -> Expression:
-        """Return the kinetic energy lost."""
+        """Return the kinetic energy lost, J."""
         ...
 
     @property
     def push(self) -> Expression:
-        """Return the magnitude of the impulse."""
+        """Return the magnitude of the impulse, N s."""
         ...

@@ -1,4 +1,4 @@
-"""Sums over a motion as goals: works, impulses, heat, paths and losses in collisions."""
+"""Sums over a motion: work, impulse, heat, distance travelled, and losses in collisions."""
 
 from abc import abstractmethod
 from collections.abc import Sequence
@@ -32,30 +32,30 @@ IMPULSES = VectorName.of("impulse of the net force")
 
 
 class SumGoal(Goal):
-    """One term for each part of the motion."""
+    """A quantity that is a sum over the parts of a motion."""
 
     noun: ClassVar[VectorName]
 
     @property
     def uses(self) -> str:
-        """Return where everything is when each part ends."""
+        """Return ``s``, for the displacements at the end of each part."""
         return "s"
 
     @property
     def throughout(self) -> bool:
-        """All the while."""
+        """Return True: forces during the whole motion count."""
         return True
 
     @abstractmethod
     def term(self, target: Target, setting: Setting, part: Stretch) -> Expression:
-        """Return the contribution of one part of the motion to the sum."""
+        """Return the contribution of one part of the motion."""
 
     @abstractmethod
     def said(self, target: Target, setting: Setting) -> str:
-        """Return words for the sum, such as *the work of the hand*."""
+        """Return the name of the sum, such as *the work of the hand*."""
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """Return the sum."""
+        """Write the sum and return its symbol."""
         whole: Expression = ZERO
         for part in known.stretches:
             whole = added(whole, self.term(target, known.setting, part))
@@ -72,79 +72,79 @@ def _gathered(whole: Expression) -> Expression:
 
 
 class TensionImpulse(SumGoal):
-    """T t."""
+    """The impulse of a tension, T t for each part of the motion."""
 
     noun = IMPULSES
 
     def bodies(self, target: Target) -> Sequence[str]:
-        """Return None by themselves."""
+        """Return no bodies."""
         del target
         return ()
 
     def force(self, target: Target, setting: Setting) -> str:
-        """Return the tension."""
+        """Return the unknown of the tension."""
         return tension(target.subject, setting)
 
     def term(self, target: Target, setting: Setting, part: Stretch) -> Expression:
-        """Tension times time."""
+        """Return tension times duration."""
         del setting
         return multiplied(part.force("T", target.subject).expression(), part.time)
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """Part by part, or at once where a strategy has it so."""
+        """Write the impulse part by part, or in one formula if the strategy has one."""
         return known.impulse(target.subject) or SumGoal.write(self, target, known)
 
     def said(self, target: Target, setting: Setting) -> str:
-        """Return words for the impulse of a tension, with the string that has it."""
+        """Return the name of the impulse, with that of the string."""
         return f"the impulse of the tension in {setting.lines[target.subject]}"
 
 
 class TensionWork(SumGoal):
-    """T s along the string."""
+    """The work of a tension on a body, T s along the string for each part of the motion."""
 
     noun = WORK
 
     def force(self, target: Target, setting: Setting) -> str:
-        """Return the tension of the string that is tied to the body."""
+        """Return the unknown of the tension of the string attached to the body."""
         return tension(_tied(target.subject, setting), setting)
 
     def term(self, target: Target, setting: Setting, part: Stretch) -> Expression:
-        """Tension times displacement along the string."""
+        """Return tension times displacement along the string."""
         name = _tied(target.subject, setting)
         return multiplied(part.force("T", name).expression(), part.moved(target.subject, name).expression())
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """Part by part, or at once where a strategy has it so."""
+        """Write the work part by part, or in one formula if the strategy has one."""
         name = _tied(target.subject, known.setting)
         return known.work(name, target.subject) or SumGoal.write(self, target, known)
 
     def said(self, target: Target, setting: Setting) -> str:
-        """Return words for the work of a tension on a body."""
+        """Return the name of the work of a tension on a body."""
         return f"the work of the tension on {setting.called(target.subject)}"
 
 
 class HeatGoal(SumGoal):
-    """The friction times the distance of slip, without a sign."""
+    """The energy dissipated by friction: friction times the distance of slip, without a sign."""
 
     noun = HEAT
 
     def force(self, target: Target, setting: Setting) -> str:
-        """Return the friction."""
+        """Return the unknown of the friction."""
         names = [face.subject for face in setting.mechanism.faces]
         return f"f{names.index(target.subject)}"
 
     def bodies(self, target: Target) -> Sequence[str]:
-        """Return the one that slips."""
+        """Return the body that slips."""
         return (target.subject,)
 
     def term(self, target: Target, setting: Setting, part: Stretch) -> Expression:
-        """Friction times slip."""
+        """Return friction times distance of slip."""
         del setting
         friction = part.force("f", target.subject)
         return multiplied(friction.expression(), part.slipped(target.subject).expression()) if friction else ZERO
 
     def said(self, target: Target, setting: Setting) -> str:
-        """Return words for the energy that friction dissipates, for a rolling body by the slip of the contact point."""
+        """Return the name of the dissipated energy; for a rolling body, of the slip at the contact point."""
         rolls = any(face.subject == target.subject and len(face.slip) > 1 for face in setting.mechanism.faces)
         how = ", which is the friction times the distance that the point of contact slips," if rolls else ""
         who, under = setting.called(target.subject), setting.mechanism.body[target.subject].parent
@@ -155,12 +155,12 @@ class HeatGoal(SumGoal):
 
 
 class HandWork(SumGoal):
-    """The force of the hand times what it draws in."""
+    """The work of a hand: its force times the length of string drawn in."""
 
     noun = WORK
 
     def bodies(self, target: Target) -> Sequence[str]:
-        """Return None by themselves: those that the string moves, see `lines`."""
+        """Return no bodies; those on the string follow from `lines`."""
         del target
         return ()
 
@@ -169,30 +169,30 @@ class HandWork(SumGoal):
         return (target.subject,)
 
     def term(self, target: Target, setting: Setting, part: Stretch) -> Expression:
-        """Force times length."""
+        """Return force times length drawn in."""
         del setting
         return multiplied(part.force("T", target.subject).expression(), part.drawn(target.subject).expression())
 
     def said(self, target: Target, setting: Setting) -> str:
-        """Return words for the work of a hand."""
+        """Return the name of the work of a hand."""
         del target, setting
         return "the work of the hand"
 
 
 class PathLength(SumGoal):
-    """The distances between turning points."""
+    """The distance travelled by a body: the sum of the distances between its turning points."""
 
     noun = VectorName.of("distance travelled")
 
     def term(self, target: Target, setting: Setting, part: Stretch) -> Expression:
-        """Return the contribution of one part of the motion to the sum."""
+        """Return the distance travelled in one part of the motion."""
         del setting
         return part.path(target.subject)
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """Return the sum, after its terms if it is written without them, as of a body that turns back."""
+        """Write the terms that have no names yet, such as those of a body that turns back, then the sum."""
         found = (term for part in known.stretches for term in part.paths(target.subject))
-        terms = [term for term in found if term != ZERO]  # it has none in a flight that only begins at the moment
+        terms = [term for term in found if term != ZERO]  # zero for a flight that begins at the moment
         whole: Expression = ZERO
         for term in terms:
             whole = added(whole, term)
@@ -203,20 +203,20 @@ class PathLength(SumGoal):
         return finish(known, formula, self.noun, "", what)
 
     def said(self, target: Target, setting: Setting) -> str:
-        """Return words for the distance that a body travels."""
+        """Return the name of the distance travelled by a body."""
         return f"the distance that {setting.called(target.subject)} travels"
 
 
 class NetImpulseGoal(Goal):
-    """The change of momentum."""
+    """The impulse of the net force on a body: its change of momentum."""
 
     @property
     def uses(self) -> str:
-        """The velocity at the end."""
+        """Return ``v``, for the final velocity."""
         return "v"
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """M times the change of the velocity."""
+        """Write the impulse as m times the change of velocity."""
         body = target.subject
         lone = known.lone("v", body), known.lone("u", body)
         if lone[0] is not None and lone[1] is not None:
@@ -232,7 +232,7 @@ class NetImpulseGoal(Goal):
 
 
 def tension(line: str, setting: Setting) -> str:
-    """Return the unknown that stands for the tension of a string."""
+    """Return the unknown of the tension of a string, such as ``T2``."""
     names = [held.name for held in setting.mechanism.constraints]
     if line not in names:
         raise UnsolvedError("it has no tension of its own")
@@ -240,7 +240,7 @@ def tension(line: str, setting: Setting) -> str:
 
 
 def _tied(body: str, setting: Setting) -> str:
-    """Return the only string at a body."""
+    """Return the only string attached to a body."""
     m = setting.mechanism
     found = [line.name for line in m.strings if any(m.site[site].body == body for site in line.through)]
     if len(found) != 1:
@@ -261,27 +261,27 @@ LOSS = VectorName.of("energy lost in a collision")
 
 @dataclass(frozen=True, slots=True)
 class CollisionGoal(Goal):
-    """The loss (or the impulse) of the last collision of some bodies, or of all that there are.
+    """The energy lost, or the impulse, in the last collision of given bodies or in all collisions.
 
     The kinetic energy that two bodies lose is that of their motion along the normal in the frame of their centre of
     mass, (1 − e²) of it; see any textbook, such as Kleppner and Kolenkow, An Introduction to Mechanics, § 6.3.
     """
 
     noun: VectorName
-    of: str  # whose collisions: pair, body, whole
+    of: str  # bodies of the collisions: pair, body or whole
     several: bool
 
     @property
     def uses(self) -> str:
-        """Velocities."""
+        """Return ``v``, for velocities."""
         return "v"
 
     def bodies(self, target: Target) -> Sequence[str]:
-        """Return those that collide, but for all."""
+        """Return the colliding bodies; for all collisions, no bodies."""
         return members(target.subject) if self.of == "pair" else (target.subject,) if self.of == "body" else ()
 
     def write(self, target: Target, known: Known) -> Symbol:
-        """Return one formula, or a sum of names."""
+        """Write the loss or impulse of one collision as a formula, or of several as a sum."""
         own = {*self.bodies(target)}
         held = [struck for struck in known.impacts if not own or {*struck.bodies} == own]
         if not held:
@@ -301,9 +301,11 @@ class CollisionGoal(Goal):
         return finish(known, whole, self.noun, "", f"{what} in all is")
 
     def _law(self, struck: Struck) -> str:
+        """Return the words for the law that gives the quantity."""
         return struck.loses if self.noun is LOSS else struck.pushes
 
     def _one(self, struck: Struck) -> Expression:
+        """Return the quantity of one collision."""
         return struck.lost if self.noun is LOSS else struck.push
 
 

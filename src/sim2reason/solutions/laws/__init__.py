@@ -1,1 +1,1 @@
-"""Laws of mechanics written down: Newton's of each body, what constant accelerations give, equations of motion."""
+"""Laws of mechanics in symbols: Newton's laws, kinematics at constant acceleration, equations of motion."""

@@ -1,4 +1,4 @@
-"""What several coordinates have in common, and what of them laws are about."""
+"""Coordinates with equal rates, and the quantities that laws relate."""
 
 from dataclasses import dataclass
 from math import isclose, pi
@@ -9,12 +9,12 @@ from sim2reason.solutions.laws.newton import Row
 from sim2reason.solutions.writing.steps import Book
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, latex
 
-STILL = 1e-9
+STILL = 1e-9  # relative: largest difference of coefficients that count as equal
 
 
 @dataclass(slots=True)
 class Shared:
-    """Coordinates that change at one rate, up to a sign: `sense` of each, by its number."""
+    """Coordinates with one rate up to a sign: the symbol of the rate, and the sign of each coordinate by index."""
 
     symbol: Symbol
     sense: dict[int, int]
@@ -22,9 +22,9 @@ class Shared:
 
 @dataclass(frozen=True, slots=True)
 class Measure:
-    """What of coordinates the laws are about: accelerations, or displacements where no force has a part.
+    """The quantities that laws relate: accelerations, or displacements where no force matters.
 
-    `values` are the engine's, by coordinate; `known` is a coordinate whose value has a name already.
+    `values` has the engine's values by coordinate; `known` is a coordinate whose value has a symbol already.
     """
 
     base: str
@@ -38,7 +38,7 @@ ACCELERATIONS = Measure("a", ACCELERATION, "acceleration")
 
 
 def equal(row: Row) -> tuple[tuple[int, int], int] | None:
-    """The two coordinates that a string binds at equal rates, and whether with equal signs; None if it does not."""
+    """Return the two coordinates that a string binds to equal rates, and their relative sign; None if it does not."""
     if row.kind not in ("string", "grip") or len(row.inertia.terms) != 2:
         return None
     parts = [(int(m[0][0].latex()[1:]), part) for m, part in row.inertia.terms.items() if len(m) == 1 and m[0][1] == 1]
@@ -48,7 +48,7 @@ def equal(row: Row) -> tuple[tuple[int, int], int] | None:
 
 
 def gravitational_constant(book: Book, value: float) -> Symbol:
-    """Return the constant of gravitation, which the text says once for all."""
+    """Return the symbol of the gravitational constant and state its value on first use."""
     if "G" not in book.values:
         book.reserve("G")
         book.know("G", value)

@@ -1,4 +1,4 @@
-"""Accelerations and forces of one segment of a motion, from Newton's laws of the bodies that matter."""
+"""Accelerations and forces in one segment of a motion, from Newton's laws of the relevant bodies."""
 
 from collections.abc import Mapping, Sequence
 
@@ -12,19 +12,19 @@ from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.writing.steps import Book
 from sim2reason.solutions.writing.unit_latex import NEWTONS
 
-AXES = ("x", "y")  # of which a text may speak
+AXES = ("x", "y")  # names of axes that a text may use
 
 
 class Dynamics:
-    """Writes the steps from Newton's laws to what is wanted."""
+    """Newton's laws of one segment of a motion, with the symbols of their unknowns."""
 
     def __init__(self, setting: Setting, book: Book, segment: Segment, measure: Measure = ACCELERATIONS) -> None:
-        """UnreadError if the mechanism is of another kind."""
+        """Take the problem, the book and the segment; UnreadError for other kinds of mechanisms."""
         self.setting, self.book, self.segment = setting, book, segment
         self.newton = Newton(setting.lexicon, segment)
         self.mechanism = setting.mechanism
-        self.names: dict[str, Polynomial] = {}  # of the unknowns of Newton's laws, in the symbols of the book
-        self.bound: dict[str, Polynomial] = {}  # accelerations by those of others to which strings bind them
+        self.names: dict[str, Polynomial] = {}  # unknowns of Newton's laws in the symbols of the book
+        self.bound: dict[str, Polynomial] = {}  # accelerations in terms of others bound by strings
         self.shared: list[Shared] = []
         self.groups: list[list[Row]] = []
         self.sense: dict[int, int] = {}
@@ -35,19 +35,19 @@ class Dynamics:
 
     @cached_property
     def frozen(self) -> set[int]:
-        """The coordinates that do not change, as friction or a string holds them."""
+        """Return the indices of the coordinates that friction or a string holds at rest."""
         held = {
             k for face, side in self.newton.rough.items() if side == 0 and (k := self.newton.alone(face)) is not None
         }
         rows = [self.newton.string(place).inertia for place in self.taut]
-        for _ in rows:  # what is held can hold more
+        for _ in rows:  # bodies at rest can hold others
             left = [row.put({f"q{k}": NIL for k in held}) for row in rows]
             held |= {int(next(n for n in row.names() if n[0] == "q")[1:]) for row in left if len(row.terms) == 1}
         return held
 
     @cached_property
     def unforced(self) -> set[int]:
-        """Indices of the coordinates along x or y in whose direction no force acts on the body."""
+        """Return the indices of the coordinates along x or y along which no force acts on the body."""
         if self.measure.values:
             return set()
         found = {k: self.newton.newton(k) for k, c in enumerate(self.mechanism.coordinates) if c.label in AXES}
@@ -56,9 +56,9 @@ class Dynamics:
 
     @cached_property
     def carried(self) -> dict[int, tuple[int, float]]:
-        """The coordinates along which a body slides parallel to its carrier, each with the carrier's, and the sense.
+        """Return, for each coordinate parallel to its carrier's, the carrier's coordinate and the relative sign.
 
-        A slab on a slab on a slope: there one speaks of the acceleration of each, not of one relative to the other.
+        For slabs on each other on a slope, texts give the acceleration of each slab, not the relative one.
         """
         found: dict[int, tuple[int, float]] = {}
         if self.measure.values:
@@ -79,7 +79,7 @@ class Dynamics:
         return found
 
     def _tied_outside(self, k: int, j: int, sign: float) -> bool:
-        """Return whether strings feel how a body moves in the room, not how it does on its carrier."""
+        """Return whether strings depend on a body's motion relative to the world frame, not to its carrier."""
         for place in self.taut:
             terms = self.newton.string(place).inertia
             own, other = terms.coefficient(f"q{k}"), terms.coefficient(f"q{j}")
@@ -88,7 +88,7 @@ class Dynamics:
         return True
 
     def _below(self, body: str) -> list[int]:
-        """Return the coordinates of what carries a body, the nearest first."""
+        """Return the coordinates of the bodies that carry a body, the nearest first."""
         found: list[int] = []
         step = self.mechanism.body[body].parent
         while step is not None:
@@ -98,7 +98,7 @@ class Dynamics:
 
     @property
     def taut(self) -> list[int]:
-        """Return the numbers of the strings that are taut in this segment."""
+        """Return the indices of the strings that are taut in this segment."""
         acting = self.segment.found.mode.acting
         return [place for place in range(len(self.newton.lines)) if acting[place]]
 
@@ -113,7 +113,7 @@ class Dynamics:
         rows += [newton.string(place) for place in self.taut]
         rows += [newton.rolling(face) for face in sticking if newton.alone(face) is None]
         still = {f"q{k}": NIL for k in self.frozen}
-        for k, (j, sign) in self.carried.items():  # from now on that of the body itself, not relative to its carrier
+        for k, (j, sign) in self.carried.items():  # converted to that relative to the ground
             still[f"q{k}"] = symbol("q", k) - symbol("q", j).scaled(sign)
         rows = [Row(r.kind, r.number, r.forces.put(still), r.inertia.put(still)) for r in rows]
         unknowns = [f"q{k}" for k in range(size) if k not in self.frozen]
@@ -127,22 +127,22 @@ class Dynamics:
 
     @cached_property
     def values(self) -> dict[str, float]:
-        """Return the values of the unknowns, in SI units, that the engine has."""
+        """Return the values of the unknowns, in SI units, as the engine computed them."""
         pairs = zip(self.measure.values, self.newton.scale, strict=False)
         found = self.newton.values | {f"q{k}": value * scale.here for k, (value, scale) in enumerate(pairs)}
-        for k, (j, sign) in self.carried.items():  # in the order of bodies, so that a carrier's is there already
+        for k, (j, sign) in self.carried.items():  # carriers come first
             found[f"q{k}"] += sign * found[f"q{j}"]
         return found
 
     def own(self, values: Sequence[float]) -> list[float]:
-        """Rates relative to carriers as those of the bodies themselves."""
+        """Convert rates relative to carriers to rates relative to the ground."""
         found = list(values)
         for k, (j, sign) in self.carried.items():
             found[k] += sign * found[j]
         return found
 
     def by_themselves(self, relative: Mapping[int, Polynomial]) -> Mapping[int, Polynomial]:
-        """Convert the given velocities or displacements from relative to carriers to relative to the ground."""
+        """Convert symbolic velocities or displacements relative to carriers to those relative to the ground."""
         found = dict(relative)
         for k, (j, sign) in self.carried.items():
             if k in found or j in found:
@@ -152,13 +152,13 @@ class Dynamics:
     # ---- names
 
     def share(self, rows: Sequence[Row], goals: Sequence[str], laws: Sequence[Row]) -> None:
-        """Coordinates that strings bind to each other at equal rates go by one name."""
+        """Give coordinates that strings bind to equal rates one common symbol."""
         members: dict[int, dict[int, int]] = {}
         used = {name for row in rows for name in row.zero.names() if name[0] == "q" and name[1:].isdigit()}
         known = {f"q{self.measure.known[0]}"} if self.measure.known else set[str]()
         for k in sorted(int(name[1:]) for name in used | known | {goal for goal in goals if goal[0] == "q"}):
             members[k] = {k: 1}
-        for row in laws:  # also those strings that an answer does not need: equal rates have one name all the same
+        for row in laws:  # also strings that the answer does not need: equal rates share a symbol
             pair = equal(row)
             if pair is None:
                 continue
@@ -174,6 +174,7 @@ class Dynamics:
             self._called(held, alone=len(classes) == 1, goals=goals)
 
     def _called(self, held: dict[int, int], *, alone: bool, goals: Sequence[str]) -> None:
+        """Name the common rate of a class of coordinates after one of their bodies."""
         bodies = [self.mechanism.coordinates[k].body for k in held]
         goal = next(
             (self.mechanism.coordinates[int(g[1:])].body for g in goals if g[0] == "q" and int(g[1:]) in held), ""
@@ -193,7 +194,7 @@ class Dynamics:
             self.names[f"q{k}"] = Polynomial.of(named).scaled(float(sense))
 
     def _turn(self, held: dict[int, int]) -> int:
-        """Return the sense in which they move, or begin to."""
+        """Return the sign of the rate with which a class of coordinates moves, or begins to."""
         for values in (self.own(self.segment.v), [self.values[f"q{k}"] for k in range(len(self.segment.v))]):
             found = next((s * values[k] for k, s in held.items() if abs(values[k]) > STILL), 0.0)
             if found:
@@ -201,7 +202,7 @@ class Dynamics:
         return 1
 
     def name(self, rows: Sequence[Row], goals: Sequence[str]) -> None:
-        """Tensions that do not cancel at once are numbered; other forces are named after their bodies."""
+        """Name the forces in the laws: tensions by numbers, other forces by their bodies."""
         self.groups = self._grouped([row for row in rows if row.kind == "newton"], goals)
         used = {name for group in self.groups for name in self.added(group).zero.names()} | set(goals)
         tensions = sorted((n for n in used if n[0] == "T" and n[1:].isdigit()), key=lambda n: int(n[1:]))
@@ -218,7 +219,7 @@ class Dynamics:
         return Row("newton", group[0].number, forces, inertia)
 
     def _grouped(self, rows: Sequence[Row], goals: Sequence[str]) -> list[list[Row]]:
-        """Newton's laws, those of a row of blocks on one string together, so that its tension is gone."""
+        """Group Newton's laws so that tensions between blocks in a row on one string cancel."""
         groups = [[row] for row in rows]
         for name in sorted({n for row in rows for n in row.zero.names() if n[0] == "T" and n[1:].isdigit()} - {*goals}):
             holding = [group for group in groups if name in self.added(group).zero.names()]
@@ -231,7 +232,7 @@ class Dynamics:
         return groups
 
     def _alike(self, one: int, other: int) -> bool:
-        """Return whether two coordinates move their bodies side by side along one line."""
+        """Return whether two coordinates move their bodies in the same direction along parallel lines at one rate."""
         a, b = self.mechanism.coordinates[one], self.mechanism.coordinates[other]
         parents = [self.mechanism.body[c.body].parent for c in (a, b)]
         straight = a.kind == b.kind == "slide" and parents[0] == parents[1] and _close(a.axis, b.axis)
@@ -239,6 +240,7 @@ class Dynamics:
         return straight and same and all(self.mechanism.body[c.body].mass for c in (a, b))
 
     def _force(self, name: str, base: str, mark: str) -> None:
+        """Give a force a new symbol."""
         named = self.book.fresh(base, mark)
         sense = -1.0 if base == "f" and self.values[name] < 0.0 else 1.0
         self.names[name] = Polynomial.of(named).scaled(sense)
@@ -246,11 +248,11 @@ class Dynamics:
 
     @property
     def units(self) -> dict[str, str]:
-        """The unit of every unknown, in LaTeX."""
+        """Return the unit of each unknown, in LaTeX."""
         return self._units
 
     def moving(self, k: int, sense: int) -> str:
-        """Return the direction of a coordinate, in words."""
+        """Return the words for the direction of a coordinate."""
         coordinate = self.mechanism.coordinates[k]
         x, y, z = coordinate.axis
         labels = [held.label for held in self.mechanism.body[coordinate.body].coordinates]
@@ -260,10 +262,11 @@ class Dynamics:
         return self.setting.towards((sense * x, sense * y, sense * z), on=parent)
 
     def enough(self, coordinates: Sequence[int]) -> list[int]:
-        """Those of a body's coordinates that its own motion needs: not its carrier's where it is counted by itself."""
+        """Return those coordinates that determine a body's motion: none of a carrier whose motion is included."""
         spared = {j for k in coordinates if k in self.carried for j in self._below(self.mechanism.coordinates[k].body)}
         return [k for k in coordinates if k not in spared]
 
 
 def _close(one: Sequence[float], other: Sequence[float]) -> bool:
+    """Return whether two vectors are equal up to rounding errors."""
     return all(abs(a - b) < STILL for a, b in zip(one, other, strict=True))

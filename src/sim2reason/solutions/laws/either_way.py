@@ -1,4 +1,4 @@
-"""Quantities in symbols whose sign depends on the numbers for which the symbols stand."""
+"""Signs of quantities in symbols, which depend on the values of the symbols."""
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
@@ -14,11 +14,11 @@ from sim2reason.solutions.writing.steps import Book
 
 SAMPLES = 40
 BAR = r"\left|"
-DECADES = 1.0  # by which a number is varied, up and down
+DECADES = 1.0  # random factors range over this many decades up and down
 
 
 def has_either_sign(setting: Setting, book: Book, held: Expression, bodies: Collection[str]) -> bool:
-    """Return whether a quantity in symbols may be positive or negative, for bodies with no assumed direction."""
+    """Return whether a symbolic quantity may have either sign, for bodies without an assumed direction."""
     if not book.in_symbols or any(isinstance(each, MovesOneWay) and each.name in bodies for each in setting.assumed):
         return False
     return len({positive for positive, _ in _signs(setting, book, held)}) > 1
@@ -27,9 +27,9 @@ def has_either_sign(setting: Setting, book: Book, held: Expression, bodies: Coll
 def acceleration_over_distance(
     setting: Setting, book: Book, begun: Expression, a: Symbol, bodies: Sequence[str]
 ) -> tuple[Expression, str]:
-    """Return the acceleration, or its magnitude, for d = ½ a t², with the reason to end a sentence.
+    """Return the acceleration in d = ½ a t², or its magnitude, with the reason to end a sentence.
 
-    The magnitude is for bodies that may start from rest in either direction, unless an assumption excludes one.
+    The magnitude is returned for bodies that may start in either direction, unless an assumption excludes one.
     """
     if begun != ZERO or not has_either_sign(setting, book, a, bodies):
         return a, ""
@@ -39,12 +39,12 @@ def acceleration_over_distance(
 
 
 def needs_modulus(setting: Setting, book: Book, held: Expression, body: str) -> bool:
-    """Return whether a quantity may have either sign, and the answer in symbols is written as a modulus."""
+    """Return whether the symbolic answer for a quantity of either sign is written as an absolute value."""
     return setting.formula is not None and BAR in setting.formula.latex and has_either_sign(setting, book, held, [body])
 
 
 def reason_for_negative(setting: Setting, book: Book, held: Expression, body: str) -> str:
-    """Return a clause that a quantity is negative; empty for an answer in numbers or one written as a modulus."""
+    """Return a clause that a quantity is negative; empty for a numerical answer or an absolute value."""
     if not book.in_symbols or setting.formula is None or BAR in setting.formula.latex:
         return ""
     why = " under the assumption made" if has_either_sign(setting, book, held, [body]) else ""
@@ -61,13 +61,13 @@ def _is_assumed_positive(setting: Setting, book: Book, held: Expression) -> bool
     try:
         answer = compiled(setting.formula.latex, setting.formula.symbols)
         values = [answer.value(at) for positive, at in _signs(setting, book, held) if not positive]
-    except (KeyError, ValueError):  # it holds a number that comes in later
+    except (KeyError, ValueError):  # contains a number defined later
         return False
     return all(value is None or value < 0.0 for value in values)
 
 
 def _signs(setting: Setting, book: Book, held: Expression) -> Iterator[tuple[bool, Mapping[str, float]]]:
-    """Yield whether a quantity is positive, for random numbers in place of the given numbers, and these."""
+    """Yield whether a quantity is positive, for random values of the given numbers, with these values."""
     formulas = defined_by(book.steps)
     angles = {given.symbol for given in setting.lexicon.givens.values() if given.angle}
     random = np.random.default_rng(0)
@@ -81,5 +81,5 @@ def _signs(setting: Setting, book: Book, held: Expression) -> Iterator[tuple[boo
             for name, formula in formulas.items():
                 at[name] = float(formula.value(at).real)
             yield float(held.value(at).real) > 0.0, at
-        except (KeyError, ValueError, ArithmeticError):  # it is no motion with these numbers
+        except (KeyError, ValueError, ArithmeticError):  # no motion with these numbers
             continue

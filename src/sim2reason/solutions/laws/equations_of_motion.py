@@ -20,11 +20,11 @@ from sim2reason.solutions.algebra.square_root import square_root
 from sim2reason.solutions.writing.lexicon import Both, Lexicon, UnreadError
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 
-ROUNDING = 1e-12  # m: a coordinate of a body that is smaller is zero
+ROUNDING = 1e-12  # m: smaller coordinates of a body count as zero
 
 
 def _exact(mechanism: Mechanism) -> Mechanism:
-    """Return the mechanism with coordinates that are rounding errors set to zero, so that twins have one form."""
+    """Return the mechanism with rounding errors in coordinates set to zero, so that copies with other numbers match."""
 
     def rounded(vector: Vector) -> Vector:
         x, y, z = (0.0 if abs(part) < ROUNDING else part for part in vector)
@@ -43,7 +43,7 @@ def _exact(mechanism: Mechanism) -> Mechanism:
 
 
 def assembled(mechanism: Mechanism, phase: Phase) -> tuple[Assembly, Tape]:
-    """Record the equations of a mechanism in a phase; the inputs are the time, the coordinates and their rates."""
+    """Record the equations of a mechanism in a phase; their inputs are time, coordinates and rates."""
     mechanism = _exact(mechanism)
     size = len(mechanism.coordinates)
     tape = Tape(["t", *(f"q{k}" for k in range(size)), *(f"v{k}" for k in range(size))])
@@ -52,7 +52,7 @@ def assembled(mechanism: Mechanism, phase: Phase) -> tuple[Assembly, Tape]:
 
 
 def phase_at(state: State) -> Phase:
-    """Return which fields, engines and one-sided springs act at an instant; nothing sticks."""
+    """Return the phase at an instant: active fields, engines and one-sided springs, without sticking contacts."""
     m, time = state.mechanism, float(state.times[0])
     inside: list[tuple[bool, ...]] = []
     for force in m.forces:
@@ -68,12 +68,12 @@ def phase_at(state: State) -> Phase:
     )
 
 
-UNREAD = "?"  # begins the symbols of numbers that are no simple functions of those in the text
+UNREAD = "?"  # begins the symbols of numbers that are no simple functions of stated ones
 
 
 @dataclass(frozen=True, slots=True)
 class Names:
-    """The symbols of the coordinates, of their rates and accelerations, and of the time.
+    """The symbols of coordinates, rates, accelerations and time.
 
     A coordinate q of the mechanism is `sense` · (place − origin): where the text gives the initial position or angle,
     the symbol stands for the position or angle itself instead of the displacement.
@@ -87,66 +87,67 @@ class Names:
     origins: tuple[Polynomial, ...]
 
     def place(self, k: int) -> Polynomial:
-        """Return the coordinate of the mechanism in terms of its symbol."""
+        """Return a coordinate of the mechanism in terms of its symbol."""
         return (Polynomial.of(self.places[k]) - self.origins[k]).scaled(self.senses[k])
 
     def rate(self, k: int) -> Polynomial:
-        """Return the rate of the coordinate in terms of its symbol."""
+        """Return the rate of a coordinate in terms of its symbol."""
         return Polynomial.of(self.rates[k]).scaled(self.senses[k])
 
     def acceleration(self, k: int) -> Polynomial:
-        """Return the second derivative of the coordinate in terms of its symbol."""
+        """Return the second derivative of a coordinate in terms of its symbol."""
         return Polynomial.of(self.accelerations[k]).scaled(self.senses[k])
 
 
 class EquationsOfMotion:
-    """The mass matrix, loads and constraints as polynomials of symbols."""
+    """The mass matrix, loads and constraints of a mechanism as polynomials in the text's symbols."""
 
     def __init__(self, lexicon: Lexicon, book: Book, phase: Phase, names: Names) -> None:
-        """Record the equations of the mechanism and of its twin; UnsolvedError if those of the twin differ in form."""
+        """Record the equations of the mechanism and of its twin; UnsolvedError if the two differ in form."""
         self._lexicon, self.book, self.names = lexicon, book, names
         self.mechanism = lexicon.mechanism
         self._here, one = assembled(lexicon.mechanism, phase)
         self._there, two = assembled(lexicon.twin, phase)
         self._tapes = one, two
         self._known: dict[tuple[int, int], Polynomial] = {}
-        self._squares: dict[Expression, Polynomial] = {}  # by root, what stands under it
+        self._squares: dict[Expression, Polynomial] = {}  # radicands by root
         self._forms: tuple[dict[int, int], dict[int, int]] = {}, {}
         self._shared: dict[tuple[str | int, ...], int] = {}  # numbers of forms
-        self._below: dict[Expression, Polynomial] = {}  # what one is divided by
+        self._below: dict[Expression, Polynomial] = {}  # denominators of reciprocals
 
     def inertia(self, k: int) -> Polynomial:
-        """Return what stands before the accelerations, with them."""
+        """Return row k of the mass matrix times the accelerations."""
         here, there = self._here.full_mass()[k], self._there.full_mass()[k]
         pairs = enumerate(zip(here, there, strict=True))
         return total(self.read(a, b) * self.names.acceleration(j) for j, (a, b) in pairs)
 
     def mass(self, k: int, j: int) -> Polynomial:
-        """Return an entry of the mass matrix."""
+        """Return an element of the mass matrix."""
         return self.read(self._here.full_mass()[k][j], self._there.full_mass()[k][j])
 
     def load(self, k: int) -> Polynomial:
-        """Return what is given to act along a coordinate."""
+        """Return the generalized force along a coordinate, without constraints."""
         return self.read(self._here.force[k], self._there.force[k])
 
     def pull(self, row: int, k: int) -> Polynomial:
-        """Return how a constraint's length grows with a coordinate."""
+        """Return the derivative of a constraint's length with respect to a coordinate."""
         here, there = (rows[row].along.get(k, 0.0) for rows in self._rows)
         return self.read(here, there)
 
     def held(self, row: int) -> tuple[Polynomial, Polynomial]:
-        """Return what the accelerations must add up to: both sides of the second derivative of a constraint."""
+        """Return both sides of a constraint in its second derivative, linear in the accelerations."""
         size = range(len(self.mechanism.coordinates))
         left = total(self.pull(row, k) * self.names.acceleration(k) for k in size)
         return left, self.read(*(rows[row].target for rows in self._rows))
 
     @cached_property
     def _rows(self) -> tuple[list[RowTerms], list[RowTerms]]:
+        """Return the recorded constraints of the mechanism and of its twin."""
         starts = {line.name: 0.0 for line in self.mechanism.lines}
         return self._here.rows(starts), self._there.rows(starts)
 
     def pressing(self, face: int) -> Polynomial:
-        """Return the normal force of a face, but for what constraints add to it."""
+        """Return the normal force at a contact without the contributions of constraints."""
         size = range(len(self.mechanism.coordinates))
         parts = [
             self.read(self._here.lifted[face][k], self._there.lifted[face][k]) * self.names.acceleration(k)
@@ -155,12 +156,12 @@ class EquationsOfMotion:
         return total(parts) - self.read(self._here.press[face], self._there.press[face])
 
     def lifted(self, row: int, face: int) -> Polynomial:
-        """Return how a constraint lifts what lies on a face."""
+        """Return the contribution of a unit constraint force to the normal force at a contact."""
         return self.read(*(rows[row].lift.get(face, 0.0) for rows in self._rows))
 
     @property
     def assemblies(self) -> tuple[Assembly, Assembly]:
-        """Return the recorded equations of the mechanism and of its twin, so that other quantities can be read."""
+        """Return the recorded equations of the mechanism and of its twin."""
         return self._here, self._there
 
     def both(self, quantity: Callable[[Assembly], Quantity]) -> Polynomial:
@@ -170,7 +171,7 @@ class EquationsOfMotion:
     # ---- from tapes to names
 
     def read(self, here: Quantity, there: Quantity) -> Polynomial:
-        """Return a recorded quantity, given for the mechanism and for its twin, in the symbols of the text."""
+        """Return a quantity recorded for the mechanism and for its twin in the symbols of the text."""
         if isinstance(here, Recorded) and isinstance(there, Recorded):
             return self._node(here.id, there.id)
         if isinstance(here, Recorded) or isinstance(there, Recorded):
@@ -178,7 +179,7 @@ class EquationsOfMotion:
         return self.number(Both(float(here), float(there)))  # type: ignore[arg-type]
 
     def number(self, both: Both) -> Polynomial:
-        """Return a number in the symbols of the text; a number that has none there gets a symbol that must cancel."""
+        """Return a number in the symbols of the text; an unread number gets a symbol that must cancel."""
         try:
             return self._lexicon.read(both)
         except UnreadError:
@@ -187,12 +188,13 @@ class EquationsOfMotion:
             return Polynomial.of(Symbol(name))
 
     def _node(self, here: int, there: int) -> Polynomial:
+        """Return a recorded node in the symbols of the text, from the cache."""
         if (here, there) not in self._known:
             self._known[here, there] = self._made(here, there)
         return self._known[here, there]
 
     def _form(self, side: int, node: int) -> int:
-        """Return a number for the form of a recorded quantity: its operations, whatever its constants are."""
+        """Return a number for the form of a recorded quantity: its operations, regardless of constants."""
         forms = self._forms[side]
         if node not in forms:
             operation, a, b = self._tapes[side].nodes[node]
@@ -206,6 +208,7 @@ class EquationsOfMotion:
         return forms[node]
 
     def _made(self, here: int, there: int) -> Polynomial:
+        """Return a recorded node in the symbols of the text."""
         one, two = self._tapes
         (operation, a, b), (other, c, d) = one.nodes[here], two.nodes[there]
         if operation != other:
@@ -215,7 +218,7 @@ class EquationsOfMotion:
         if operation == "constant":
             return self.number(Both(one.constants[a], two.constants[c]))
         if operation in ("+", "*") and self._form(0, a) != self._form(1, c) and self._form(0, a) == self._form(1, d):
-            c, d = d, c  # the tape orders operands by when it first met them
+            c, d = d, c  # the tape orders operands by first use
         first = self._node(a, c)
         if operation in ("sin", "cos"):
             return self._turned(operation, first)
@@ -226,13 +229,14 @@ class EquationsOfMotion:
         return self._joined(operation, first, self._node(b, d))
 
     def _input(self, number: int) -> Polynomial:
+        """Return the symbol of an input: time, a coordinate or a rate."""
         size = len(self.mechanism.coordinates)
         if number == 0:
             return Polynomial.of(self.names.time)
         return self.names.place(number - 1) if number <= size else self.names.rate(number - 1 - size)
 
     def _joined(self, operation: str, first: Polynomial, second: Polynomial) -> Polynomial:
-        """Along a line, a direction is a length by itself: 1 or -1."""
+        """Return an operation on two polynomials; a sum divided by itself, up to its sign, is ±1."""
         plain = first, second
         for one, other in (plain, plain[::-1]) if operation == "*" else ():
             (atom, part), *more = [*other.terms.items()] or [((), 0.0)]
@@ -249,7 +253,7 @@ class EquationsOfMotion:
         return found
 
     def _cubed(self, one: Polynomial, other: Polynomial) -> Polynomial | None:
-        """Return r³ for r times what r is the root of; None for any other product."""
+        """Return r³ for r times its radicand, r²; None for any other product."""
         if len(one.terms) != 1:
             return None
         (monomial, part), *_ = one.terms.items()
@@ -258,7 +262,7 @@ class EquationsOfMotion:
         return Polynomial({((root, 3),): part}) if root is not None and inside is not None and inside == other else None
 
     def _turned(self, operation: str, angle: Polynomial) -> Polynomial:
-        """Return the sine or cosine of an angle; that of a sum of symbols by the addition theorems."""
+        """Return the sine or cosine of an angle; of a sum of symbols by the addition theorems."""
         symbol = angle.symbol
         if symbol is not None:
             sign = -1.0 if operation == "sin" and angle.terms[((symbol, 1),)] < 0.0 else 1.0
@@ -272,6 +276,7 @@ class EquationsOfMotion:
         return Polynomial.of(Call("sin" if operation == "sin" else "cos", angle.expression()))
 
     def _root(self, inside: Polynomial) -> Polynomial:
+        """Return the square root of a polynomial."""
         plain = square_root(inside, self.book.values)
         if plain is not None:
             return plain
@@ -281,13 +286,14 @@ class EquationsOfMotion:
 
 
 def _by_itself(one: Polynomial, other: Polynomial) -> float:
-    """1 or -1, where that is what one by the other comes to; else 0."""
+    """Return 1 or -1 if it is the ratio of two polynomials; else 0."""
     if len(one.terms) < 2 or len(one.terms) != len(other.terms):
         return 0.0
     return 1.0 if not (one - other) else -1.0 if not (one + other) else 0.0
 
 
 def _joined(operation: str, first: Polynomial, second: Polynomial) -> Polynomial:
+    """Return an operation on two polynomials."""
     if operation == "*":
         return first * second
     if operation == "+":

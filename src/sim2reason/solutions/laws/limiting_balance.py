@@ -1,4 +1,4 @@
-"""The limit at which something begins to slip or to rise: where nothing moves yet, forces balance."""
+"""Limiting cases: balance of forces on bodies that are about to slip or to lift off."""
 
 from collections.abc import Sequence
 
@@ -19,8 +19,8 @@ from sim2reason.solutions.setting import Setting, capital
 from sim2reason.solutions.solution import with_unit
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 
-LONG = 200  # characters of a formula for the unknown
-REST = 1e-6  # m/s²: the rounding of an acceleration that is zero at the limit
+LONG = 200  # characters of a formula for the unknown; longer ones are written with numbers
+REST = 1e-6  # m/s²: smaller accelerations count as zero
 
 
 class _AtLimit(Newton):
@@ -35,7 +35,7 @@ class LimitingDynamics(WrittenDynamics):
     """Newton's laws and their unknowns at the instant at which a body is about to move."""
 
     def __init__(self, setting: Setting, book: Book, segment: Segment) -> None:
-        """Prepare the laws of a segment at the limit; UnreadError if the mechanism is of another kind."""
+        """Prepare the laws of a segment at the limit; UnreadError for other kinds of mechanisms."""
         super().__init__(setting, book, segment)
         self.newton = _AtLimit(setting.lexicon, segment)
 
@@ -51,16 +51,16 @@ class LimitingDynamics(WrittenDynamics):
 
 
 class LimitingBalance(LimitingDynamics):
-    """The laws of a limiting case with the accelerations that are zero in it, one of them a condition on the unknown.
+    """Newton's laws in a limiting case, with one vanishing acceleration as a condition on the unknown.
 
     The condition is the law of the body that is about to move; the others determine the forces in it.
     """
 
     def __init__(self, setting: Setting, book: Book, segment: Segment, body: str) -> None:
-        """Take the segment of the motion beside the limit in which the `body` moves; nothing is written yet.
+        """Take the segment of the motion just beyond the limit, in which the `body` moves.
 
         Raises:
-            UnreadError: the mechanism is of another kind.
+            UnreadError: forces other than weight, strings, contacts and constant forces act.
         """
         super().__init__(setting, book, segment)
         self._who = body
@@ -68,7 +68,7 @@ class LimitingBalance(LimitingDynamics):
 
     @cached_property
     def frozen(self) -> set[int]:
-        """Return the indices of coordinates whose acceleration, or that relative to a carrier, is zero at the limit."""
+        """Return the indices of coordinates with zero acceleration, or zero relative acceleration, at the limit."""
         beside = self._beside
         rates = {k: beside.values[f"q{k}"] for k in range(len(self.mechanism.coordinates)) if k not in beside.frozen}
         for k, (j, sign) in beside.carried.items():
@@ -133,10 +133,11 @@ class LimitingBalance(LimitingDynamics):
         return hidden.name
 
     def _worked(self, held: Polynomial) -> Expression:
+        """Return the numerical value of a polynomial as a formula."""
         return self.book.worked(held.factored())
 
     def _solved(self, name: str, formula: Expression) -> tuple[Expression, Expression]:
-        """Return the unknown for which a formula vanishes, and the formula, with numbers where it would be long."""
+        """Return the unknown at which a formula vanishes, and the formula, with numbers where it would be long."""
         book = self.book
         if name not in formula.symbols():
             raise UnsolvedError("the limit does not depend on the unknown")
@@ -149,7 +150,7 @@ class LimitingBalance(LimitingDynamics):
         return found, formula
 
     def _either_way(self) -> str:
-        """Return what a sign means where the answer in symbols is a modulus: the body may slip either way."""
+        """Return a sentence about the sign if the symbolic answer is an absolute value, for slip either way."""
         formula, way = self.setting.formula, self._way()
         if not self.book.in_symbols or formula is None or BAR not in formula.latex or not way or self._with_it():
             return ""
@@ -160,14 +161,14 @@ class LimitingBalance(LimitingDynamics):
         )
 
     def _way(self) -> str:
-        """Return in which direction the body is about to slip, after a space; empty if that has no short name."""
+        """Return the words for the direction of impending slip, after a space; empty if it has no short name."""
         sides = self.newton.rough.items()
         face, side = next((n, s) for n, s in sides if self.mechanism.faces[n].subject == self._who)
         way = way_of_slip(self, face, side) if side else ""
         return f" {way}" if way else ""
 
     def _with_it(self) -> str:
-        """Return on which bodies that still rest friction has its greatest value, too, and why, as an addition."""
+        """Return a clause on other bodies at rest with limiting friction, with the reason."""
         faces = [self.mechanism.faces[n] for n, side in self.newton.rough.items() if side]
         still = {self.mechanism.coordinates[k].name for k in self.frozen}
         others = [f.subject for f in faces if f.subject != self._who and all(name in still for name, _ in f.slip)]
@@ -178,7 +179,7 @@ class LimitingBalance(LimitingDynamics):
         return f", and so has the friction on {self.setting.listed(others)}, {why}"
 
     def _bound(self) -> tuple[str, set[str]]:
-        """Return what makes bodies move together with the one that is about to slip, in words, and which they are."""
+        """Return the words for what binds bodies to the one about to slip, and those bodies."""
         taut = [held for n, held in enumerate(self.newton.lines) if self.values.get(f"T{n}", 0.0) > REST]
         tied, found = (
             [{self._body_at(line.through[0]), self._body_at(line.through[-1])} - {None} for line in taut],
@@ -189,10 +190,11 @@ class LimitingBalance(LimitingDynamics):
         return "the taut string makes" if len(taut) == 1 else "the taut strings make", found
 
     def _body_at(self, site: str) -> str | None:
+        """Return the body at a site."""
         return self.mechanism.site[site].body
 
     def _introduce(self, *, slides: bool) -> None:
-        """Write what holds in the limiting case."""
+        """Write the conditions of the limiting case."""
         step, who = self.book.open("limit"), self.setting.called(self._who)
         either = self._either_way() if slides else ""
         way = self._way() if slides and not either else ""

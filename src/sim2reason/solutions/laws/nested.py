@@ -1,4 +1,4 @@
-"""The answer to a question about which another one asks, written by the strategies that lead to a formula."""
+"""Answers to inner questions, derived by the strategies that give a formula."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
@@ -22,34 +22,34 @@ from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import DEGREES
 
 NEW = r"\text{new}"
-AGAIN = "still holds"  # begins the labels of comparisons that hold for another value of a number, too
-UNSHORTENED = 200  # characters of a formula that hardly becomes short
-SHORT = 130  # characters of a formula into which another value is put
+AGAIN = "still holds"  # begins the labels of comparisons that also hold for another value of a number
+UNSHORTENED = 200  # characters: longer formulas hardly become short
+SHORT = 130  # characters of a formula into which another value is substituted, at most
 
 
 class Way(Protocol):
-    """A strategy, as far as it is needed here."""
+    """A strategy, as far as nested questions need it."""
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply to a question."""
+        """Return why the strategy does not apply to a question; "" if it does."""
         ...
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Write all steps, and say which symbol is the answer."""
+        """Write all steps and return the symbol of the answer."""
         ...
 
 
 def inner_setting(setting: Setting) -> Setting:
-    """Return the same scene with the other question asked about it."""
+    """Return the same scene with the inner question."""
     assert isinstance(setting.query, NestedQuery)
     return replace(setting, query=setting.query.inner, unknown="", stated=None, sought=None)
 
 
 def solved(inner: Setting, book: Book, offered: Iterable[Way]) -> str:
-    """Write the answer to the other question by the first of some strategies that leads to it; its symbol.
+    """Write the answer to the inner question by the first successful strategy; return its symbol.
 
     Raises:
-        UnsolvedError: none does.
+        UnsolvedError: no strategy succeeds.
     """
     reasons = ["no strategy has a way to what is asked about"]
     for way in offered:
@@ -65,16 +65,16 @@ def solved(inner: Setting, book: Book, offered: Iterable[Way]) -> str:
 
 
 def with_changed_scene(inner: Setting, changed: Study, path: str, symbol: str) -> Setting:
-    """The other question about a scene in which the number at an address has another value, and a symbol for that."""
+    """Return the inner question about a scene with another value of one number, under a symbol of its own."""
     words = replace(inner.words, mechanism=changed.mechanism)
     symbols = {**inner.symbols, path: symbol}
     return replace(inner, scene=changed.scene, study=changed, words=words, symbols=symbols)
 
 
 def with_other_value(inner: Setting, book: Book, goal: str, symbol: str, changed: Expression, lead: str) -> Symbol:
-    """Write what a result that was written becomes with something else in place of a given symbol; the new name.
+    """Write a known result with another expression in place of a given symbol; return its new name.
 
-    Where all steps put together give a short formula, by that; else step by step.
+    If all steps combine to a short formula, that formula is used; else each step is repeated.
     """
     whole = short_formula(inner, book, goal)
     other = tidied(_put(whole, {symbol: changed})) if whole is not None else None
@@ -102,14 +102,14 @@ def with_other_value(inner: Setting, book: Book, goal: str, symbol: str, changed
 
 
 def inserted(book: Book, goal: str, equation: str) -> str:
-    """Return a sentence with the equation for a result into which all has been inserted on which it hangs."""
+    """Return a sentence with the equation of a result after all substitutions."""
     names = [f"${name}$" for name, _ in reversed(_leading(book, goal)) if name != goal]
     lead = f"Inserting {joined(names)} into the equation for ${goal}$ gives" if names else "In short,"
     return f"{lead} {equation}."
 
 
 def short_formula(inner: Setting, book: Book, goal: str) -> Expression | None:
-    """Return all steps to a result put together; None where that leads to no formula that is short."""
+    """Return the formula of a result after all substitutions; None if there is no short one."""
     try:
         return _shortened(_whole(inner, book, goal))
     except ClosedFormError:
@@ -117,7 +117,7 @@ def short_formula(inner: Setting, book: Book, goal: str) -> Expression | None:
 
 
 def _shortened(formula: Expression) -> Expression | None:
-    """Return a formula as one would write it; None if it is not short even then."""
+    """Return a simplified formula; None if it is still long."""
     if len(formula.latex()) > UNSHORTENED:
         return None
     try:
@@ -128,7 +128,7 @@ def _shortened(formula: Expression) -> Expression | None:
 
 
 def _put(formula: Expression, renamed: Mapping[str, Expression]) -> Expression:
-    """Return a formula with others in place of some symbols; UnsolvedError where a number in it was found with them."""
+    """Substitute expressions for symbols; UnsolvedError if a number was found with those symbols."""
     try:
         formula = put_all(formula, renamed)
     except TypeError as error:
@@ -137,7 +137,7 @@ def _put(formula: Expression, renamed: Mapping[str, Expression]) -> Expression:
 
 
 def _multiplied_out(held: Expression) -> Expression:
-    """Return a formula with powers of multiples multiplied out: 4 v² for (2 v)²."""
+    """Expand powers of multiples: 4 v² for (2 v)²."""
     if not held.parts:
         return held
     found = held.built_of([_multiplied_out(part) for part in held.parts])
@@ -149,14 +149,14 @@ def _multiplied_out(held: Expression) -> Expression:
 
 
 def _is_in_numbers(held: Expression) -> bool:
-    """Return whether a number that was worked out stands in a formula."""
+    """Return whether a formula contains a rounded number."""
     if isinstance(held, Worked) or (isinstance(held, Number) and simple_fraction(held.x) is None):
         return True
     return any(map(_is_in_numbers, held.parts))
 
 
 def _leading(book: Book, goal: str) -> list[tuple[str, Expression]]:
-    """Return the names that lead to a result, each after those on which it rests, with their formulas."""
+    """Return the names on which a result depends, in order of definition, with their formulas."""
     formulas = {
         relation.left.latex(): relation.right
         for step in book.steps
@@ -173,7 +173,7 @@ def _leading(book: Book, goal: str) -> list[tuple[str, Expression]]:
 
 
 def _whole(inner: Setting, book: Book, goal: str) -> Expression:
-    """The formulas of all steps put into each other, until nothing but what the text and the question say is left."""
+    """Return the formula of a result in the given quantities of text and question."""
     said = {given.symbol for given in inner.lexicon.givens.values()} | book.stated.keys()
     given = tuple(Relation(Symbol(name), Number(book.values[name]), "given") for name in said if name in book.values)
     steps = (Step(-1, "givens", "", given, (), ()), *book.steps)
@@ -181,7 +181,7 @@ def _whole(inner: Setting, book: Book, goal: str) -> Expression:
 
 
 def lone_symbol(setting: Setting, path: str) -> str:
-    """Return the symbol of the number at an address; UnsolvedError if another number has it, too."""
+    """Return the symbol of the number at an address; UnsolvedError if another number shares it."""
     given = setting.lexicon.givens.get(path)
     alike = [held for held in setting.lexicon.givens.values() if given is not None and held.symbol == given.symbol]
     if given is None or len(alike) > 1:
@@ -190,5 +190,5 @@ def lone_symbol(setting: Setting, path: str) -> str:
 
 
 def counted(value: float, unit: str) -> float:
-    """Return an answer as formulas count it: radians for degrees."""
+    """Convert an answer to the unit of formulas: degrees to radians."""
     return radians(value) if unit == DEGREES else value

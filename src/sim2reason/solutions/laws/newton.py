@@ -1,8 +1,8 @@
-"""Newton's second law of a mechanism whose equations never change, in the symbols of the text.
+"""Newton's second law of a mechanism with constant equations, in the symbols of the text.
 
-For each coordinate k, of the body that it moves with all that this carries: Σ m (a·e) = Σ F·e along its direction e.
-Forces of faces between these bodies do not appear. Symbols here are of this module's own: ``q3`` the acceleration of
-a coordinate (of a hinge, that of its rim), ``T2`` the tension of a line, ``N1`` and ``f1`` the forces of a face.
+For each coordinate k with direction e, the law Σ m (a·e) = Σ F·e is that of the body it moves with all that it carries.
+Contact forces between these bodies cancel. The module has its own symbols: ``q3`` is the acceleration of a coordinate
+(for a hinge, that of its rim), ``T2`` the tension of a line, ``N1`` and ``f1`` the forces of a contact.
 """
 
 from collections.abc import Callable
@@ -24,36 +24,37 @@ Side = tuple[Mechanism, Frames]
 
 
 def symbol(kind: str, number: int) -> Polynomial:
-    """Return an unknown of this module."""
+    """Return an unknown such as ``q3``, ``T1`` or ``N0`` as a polynomial."""
     return Polynomial.of(Symbol(f"{kind}{number}"))
 
 
 @dataclass(frozen=True)
 class Row:
-    """One law: `forces` = `inertia`; a string's has its accelerations as `inertia`, and no forces."""
+    """One law, `forces` = `inertia`; that of a string has its accelerations as `inertia`, and no forces."""
 
     kind: str  # newton, normal, string, grip
-    number: int  # of the coordinate, face or line
+    number: int  # index of the coordinate, contact or line
     forces: Polynomial
     inertia: Polynomial
 
     @cached_property
     def zero(self) -> Polynomial:
-        """Forces minus inertia, which is zero by the law."""
+        """Return forces minus inertia, which vanishes."""
         return self.forces - self.inertia
 
 
 def _push(mechanism: Mechanism, number: int) -> Push:
+    """Return the law of a constant force."""
     law = mechanism.forces[number].law
     assert isinstance(law, Push)
     return law
 
 
 class Newton:
-    """The laws of one segment of a motion, each worked out when it is asked for."""
+    """The laws of one segment of a motion, computed on demand."""
 
     def __init__(self, lexicon: Lexicon, segment: Segment) -> None:
-        """Take a segment; UnreadError if something else acts than weights, strings, faces and constant forces."""
+        """Take a segment; UnreadError for forces other than weight, strings, contacts and constant forces."""
         self.lexicon, self.mechanism, self.segment = lexicon, lexicon.mechanism, segment
         self._stretches: dict[tuple[int, int], Both] = {}
         varying = any(f.region or not (isinstance(f.law, Push) and f.law.constant) for f in self.mechanism.forces)
@@ -63,22 +64,23 @@ class Newton:
 
     @property
     def lines(self) -> tuple[Line, ...]:
-        """The lines that give equations."""
+        """Return the lines that impose constraints."""
         return self.mechanism.constraints
 
     # ---- numbers
 
     def _both(self, number: Callable[[Mechanism, Frames], float]) -> Both:
+        """Return a number of the mechanism and of its twin, which is the same mechanism with other parameters."""
         (here, frames), (there, others) = self._sides
         return Both(float(number(here, frames)), float(number(there, others)))
 
     def read(self, number: Callable[[Mechanism, Frames], float]) -> Polynomial:
-        """Return a number of the mechanism and its geometry at the start, in symbols."""
+        """Return a number of the mechanism and its initial geometry, in symbols."""
         return self.lexicon.read(self._both(number))
 
     @cached_property
     def scale(self) -> list[Both]:
-        """Return the factor of each coordinate's rate: the radius of a wheel's rim (the larger of two), or else 1."""
+        """Return the factor of each coordinate's rate: the radius of a wheel's rim (the largest), or 1."""
         found = [Both(1.0, 1.0)] * len(self.mechanism.coordinates)
         for k, radii in self._rims.items():
             found[k] = max(radii, key=lambda both: both.here)
@@ -91,7 +93,7 @@ class Newton:
 
     @cached_property
     def _rims(self) -> dict[int, list[Both]]:
-        """Return the radii at which lines are wound round a rotating body, by the number of its coordinate."""
+        """Return the radii at which lines are wound round rotating bodies, by coordinate."""
         found: dict[int, list[Both]] = {}
         for number, line in enumerate(self.mechanism.lines):
             for place, wheel in enumerate(line.wheels):
@@ -100,7 +102,7 @@ class Newton:
         return found
 
     def _over(self, number: Both, *coordinates: int) -> Polynomial:
-        """Divide a number by the scales of coordinates, or by the symbol of the larger radius if there are several."""
+        """Divide a number by the scales of coordinates, or by the symbol of the largest radius if there are several."""
         stepped = [k for k in coordinates if len(set(self._rims.get(k, ()))) > 1]
         plain = (self.scale[k] for k in coordinates if k not in stepped)
         radii = (self.lexicon.read(self.scale[k]).symbol for k in stepped)
@@ -109,11 +111,12 @@ class Newton:
 
     @cached_property
     def gravity(self) -> Polynomial:
-        """g, or zero."""
+        """Return the gravitational acceleration, g or zero."""
         return self.read(lambda m, _: -m.gravity[2])
 
     @cached_property
     def _masses(self) -> list[Polynomial]:
+        """Return the masses of all bodies."""
         return [self.read(lambda m, _, n=n: m.bodies[n].mass) for n in range(len(self.mechanism.bodies))]
 
     def mass(self, body: str) -> Polynomial:
@@ -126,13 +129,13 @@ class Newton:
         return [k for k, way in gradient.items() if product(way, way) > 1e-18]
 
     def along(self, body: str, k: int, way: tuple[float, float, float]) -> Polynomial:
-        """Return the component in a direction of the room of the unit motion along coordinate k."""
+        """Return the component of a body's displacement per unit of coordinate k, along a world direction."""
         return self.read(lambda _, f: product(f.center(body).gradient[k], way))
 
     # ---- laws
 
     def newton(self, k: int) -> Row:
-        """Return the law of a coordinate."""
+        """Return Newton's law along a coordinate."""
         inertia, forces = list[Polynomial](), list[Polynomial]()
         for number, body in enumerate(self.mechanism.bodies):
             moved = self.moved(body.name) if body.mass else []
@@ -147,7 +150,7 @@ class Newton:
         return Row("newton", k, total(forces), total(inertia))
 
     def _pushes(self, way: Callable[[Frames, str], Triple | None]) -> list[Polynomial]:
-        """Return the components of the constant forces along a direction in which their bodies move."""
+        """Return the components of constant forces along the directions in which their bodies move."""
         found = list[Polynomial]()
         for number, force in enumerate(self.mechanism.forces):
             if way(self._sides[0][1], force.body) is not None:
@@ -159,17 +162,18 @@ class Newton:
         return found
 
     def _dot(self, body: str, k: int, j: int) -> Polynomial:
+        """Return the scalar product of a body's displacements per unit of two coordinates."""
         if k == j:
             return Polynomial.of(1.0)
         return self.read(lambda _, f: product(f.center(body).gradient[k], f.center(body).gradient[j]))
 
     def _turning(self, k: int) -> list[Polynomial]:
-        """I/r² times the acceleration of the rim, of what turns about its own axis."""
+        """Return I/r² times the acceleration of the rim, for each rotating body."""
         hinges = [j for j, coordinate in enumerate(self.mechanism.coordinates) if coordinate.kind == "hinge"]
         return [part * symbol("q", j) for j in hinges if k in hinges and (part := self.turning(k, j))]
 
     def turning(self, k: int, j: int) -> Polynomial:
-        """Return the moment of inertia that two hinges share, over the squares of the radii of their rims."""
+        """Return the moment of inertia that two hinges share, over the product of their rims' radii."""
 
         def inertia(m: Mechanism, f: Frames) -> float:
             total = 0.0
@@ -187,7 +191,7 @@ class Newton:
         return (tension * self.stretch(number, k)).scaled(-1.0) if tension else NIL
 
     def tension(self, number: int, line: Line) -> Polynomial:
-        """Return the tension of a line: unknown, or that of a hand; none if it is slack."""
+        """Return the tension of a line: an unknown, the force of a hand, or zero if it is slack."""
         if isinstance(line.law, ConstantTension):
             return self.read(lambda m, _: getattr(m.lines[number].law, "force", 0.0))
         if not line.law.row:
@@ -196,11 +200,11 @@ class Newton:
         return symbol("T", place) if self.segment.found.mode.acting[place] else NIL
 
     def stretch(self, number: int, k: int) -> Polynomial:
-        """Return how much a line grows for each unit of a coordinate."""
+        """Return the increase of a line's length per unit of a coordinate."""
         return self._over(self._stretch(number, k), k)
 
     def _stretch(self, number: int, k: int) -> Both:
-        """Return the numeric change of a line's length with a coordinate, not divided by the radius of a rim."""
+        """Return the increase of a line's length per unit of a coordinate as numbers, without the scale of a rim."""
 
         def along(m: Mechanism, f: Frames) -> float:
             line = m.lines[number]
@@ -212,7 +216,7 @@ class Newton:
         return self._stretches[number, k]
 
     def string(self, place: int) -> Row:
-        """Return the law that a taut string does not stretch."""
+        """Return the constraint that a taut string does not stretch."""
         number = self.mechanism.lines.index(self.lines[place])
         terms = [
             self.stretch(number, k) * symbol("q", k)
@@ -225,12 +229,12 @@ class Newton:
 
     @cached_property
     def rough(self) -> dict[int, int]:
-        """The side to which each rough face slips, by its number; 0 if it sticks."""
+        """Return the direction of slip at each rough contact by index: 1 or -1, 0 if it sticks."""
         faces = [number for number, face in enumerate(self.mechanism.faces) if face.friction > 0.0]
         return dict(zip(faces, self.segment.found.mode.rubbing, strict=True))
 
     def slip(self, face: int) -> dict[int, Polynomial]:
-        """Return how far surfaces slip for each unit of a coordinate, by its number."""
+        """Return the slip at a contact per unit of each coordinate, by index."""
         found: dict[int, Polynomial] = {}
         for place, (name, _) in enumerate(self.mechanism.faces[face].slip):
             k = self.mechanism.number[name]
@@ -239,12 +243,12 @@ class Newton:
         return found
 
     def alone(self, face: int) -> int | None:
-        """Return the one coordinate along which a face slips; None if there are several."""
+        """Return the only coordinate along which a contact slips; None if there are several."""
         slip = self.slip(face)
         return next(iter(slip)) if len(slip) == 1 else None
 
     def friction(self, face: int) -> Polynomial:
-        """Return the friction along the slip: −µN against it, or an unknown."""
+        """Return the friction along the slip: −µN against it, or an unknown if the contact sticks."""
         side = self.rough.get(face)
         if side is None:
             return NIL
@@ -261,11 +265,12 @@ class Newton:
         return self.read(lambda m, _: m.faces[face].static_friction)
 
     def _rubbing(self, k: int) -> list[Polynomial]:
+        """Return the friction forces along a coordinate."""
         found = [(self.friction(face), self.slip(face)) for face in self.rough]
         return [force * slip[k] for force, slip in found if k in slip]
 
     def normal(self, face: int) -> Row:
-        """Newton's law along the normal of a face, of what lies on it with all that this carries."""
+        """Return Newton's law along the normal of a contact, for the body on it with all that it carries."""
         inertia, forces = list[Polynomial](), [symbol("N", face)]
         for number, body in enumerate(self.mechanism.bodies):
             lift = self._sides[0][1].center(body.name).lift
@@ -287,12 +292,12 @@ class Newton:
         return Row("normal", face, total(forces), total(inertia))
 
     def rolling(self, face: int) -> Row:
-        """Return the law that a body rolls without slipping."""
+        """Return the constraint that a body rolls without slipping."""
         return Row("grip", face, NIL, total(part * symbol("q", k) for k, part in self.slip(face).items()))
 
     @cached_property
     def values(self) -> dict[str, float]:
-        """Return the values of the unknowns, in SI units, that the engine has."""
+        """Return the values of the unknowns, in SI units, as the engine computed them."""
         found = self.segment.found
         scaled = {f"q{k}": a * s.here for k, (a, s) in enumerate(zip(found.a, self.scale, strict=True))}
         tension = {f"T{n}": value for n, value in enumerate(found.rows)}

@@ -1,4 +1,4 @@
-"""A rocket that burns its fuel: its engine, its mass, gravity, and when it begins to rise and has none left."""
+"""Motion of a rocket that burns its fuel: thrust, mass, gravity, lift-off and burnout."""
 
 from collections.abc import Callable
 
@@ -23,67 +23,68 @@ HALF = Number(0.5)
 
 
 class Burning(Way):
-    """The numbers of a rocket, and the times at which something changes, written as they are needed."""
+    """The quantities of a rocket, and the times of lift-off and burnout, written as they are needed."""
 
     @property
     def newton(self) -> Newton:
-        """None is needed."""
+        """Raise UnsolvedError: a rocket has no law of constant mass."""
         raise UnsolvedError("a rocket has no law of constant mass")
 
     def force(self, kind: str, name: str) -> Symbol:
-        """None."""
+        """Raise UnsolvedError: a rocket has no such forces."""
         raise UnsolvedError(f"no {kind} of {name}")
 
     # ---- numbers
 
     def _read(self, number: Callable[[Mechanism], float]) -> Polynomial:
+        """Return a number of the mechanism in the symbols of the text."""
         return self.setting.lexicon.of(number)
 
     @property
     def burn(self) -> Burn:
-        """The engine."""
+        """Return the rocket's engine."""
         return self.setting.lexicon.mechanism.burns[0]
 
     @cached_property
     def rate_of_burning(self) -> Expression:
-        """µ."""
+        """Return µ, the burning rate, kg/s."""
         return self._read(lambda m: m.burns[0].rate).expression()
 
     @cached_property
     def exhaust(self) -> Expression:
-        """U."""
+        """Return u, the exhaust velocity, m/s."""
         return self._read(lambda m: m.burns[0].exhaust).expression()
 
     @cached_property
     def first(self) -> Expression:
-        """The mass with all fuel."""
+        """Return the initial mass with all fuel, kg."""
         return self._read(lambda m: m.body[m.burns[0].body].mass).expression()
 
     @cached_property
     def dry(self) -> Expression:
-        """The empty mass of the rocket, kg."""
+        """Return the mass without fuel, kg."""
         return self._read(lambda m: m.body[m.burns[0].body].mass - m.burns[0].rate * m.burns[0].until).expression()
 
     @property
     def gravity(self) -> Polynomial:
-        """Of the ground, or of the planet at its surface."""
+        """Return the gravitational acceleration at the ground, or at the surface of a planet."""
         return self._read(_pull)
 
     # ---- the moment
 
     @property
     def waits(self) -> bool:
-        """Return whether it stands on the ground until it is light enough."""
+        """Return whether the rocket stays on the ground until it is light enough."""
         return self.setting.motion.segments[0].a[0] <= 0.0
 
     @property
     def out(self) -> bool:
-        """Return whether its engine is off by then."""
+        """Return whether the engine is off at the moment of the question."""
         return self.setting.time > self.burn.until * (1.0 + 1e-9) or isinstance(self.query, StretchQuery)
 
     @cached_property
     def full(self) -> Expression:
-        """The mass with which it begins to rise."""
+        """Return the mass at lift-off, and write why it is that."""
         if not self.waits:
             self._tell_rising()
             return self.first
@@ -97,7 +98,7 @@ class Burning(Way):
         return name
 
     def _heavier(self, step: Writing, lift: Symbol) -> str:
-        """Return that the initial mass is too large to be lifted: shown, verified in the end, or by assumption."""
+        """Return a clause that the thrust is initially too small: shown, verified at the end, or assumed."""
         larger = f"{self.first.latex()} > {lift.latex()}"
         if self.book.in_symbols:
             return f"By assumption ${larger}$, so"
@@ -108,7 +109,7 @@ class Burning(Way):
         return f"As ${larger}$,"
 
     def exclude_rising(self, time: Symbol, longest: Expression) -> None:
-        """Write that a rocket which rose from the start would not come to rest as late as it is said to."""
+        """Write that a rocket that rose from the start would come to rest before the given time."""
         step = self.book.open("verify")
         exceeds(self.book, step, time, longest)
         told = self._observed(step, r"\text{max}", longest)
@@ -117,18 +118,19 @@ class Burning(Way):
         step.close()
 
     def _risen(self, time: Expression) -> Expression:
-        """For how long it has risen by a time."""
+        """Return the duration of the ascent up to a time."""
         return time - self._wait if self.waits else time
 
     @cached_property
     def _wait(self) -> Symbol:
+        """Return the time until lift-off."""
         said, formula = f"The mass of {self.name} has fallen to this value after", self.first - self.full
         name = self.book.fresh("t", r"\text{lift}")
         return self.book.told("wait", said, name, formula / self.rate_of_burning, SECONDS)
 
     @cached_property
     def rising(self) -> Symbol:
-        """Return the time for which it rises with its engine on."""
+        """Return the duration of the ascent with the engine on."""
         if not self.waits:
             return self.burned
         said, formula = "From lift-off on, the fuel lasts for", (self.full - self.dry) / self.rate_of_burning
@@ -136,36 +138,36 @@ class Burning(Way):
 
     @cached_property
     def burned(self) -> Symbol:
-        """Return when the fuel is spent."""
+        """Return the time of burnout."""
         formula = (self.first - self.dry) / self.rate_of_burning
         base = self.book.fresh("t", r"\text{out}") if self.out else self.book.fresh("t")
         return self.book.told("time", "The fuel lasts for", base, formula, SECONDS)
 
     @property
     def rocket_equation(self) -> str:
-        """The law of the velocity while the engine is on, in words."""
+        """Return the words for the velocity law while the engine is on."""
         return "By the rocket equation, with gravity" if self.gravity else "By the rocket equation"
 
     @cached_property
     def since(self) -> Symbol:
-        """Return the name of the time of rising as a variable."""
+        """Return the symbol of the time since lift-off as a variable."""
         return self.book.fresh(r"\tau")
 
     @property
     def course(self) -> str:
-        """Return a clause that gives the velocity as a function of the time of rising."""
+        """Return a clause with the velocity as a function of the time since lift-off."""
         since = "lift-off" if self.waits else "the start"
         said = f"{self.rocket_equation}, the velocity of {self.name} with the engine on is ${self._velocity.latex()}$"
         return f"{said} at the time ${self.since.latex()}$ after {since}"
 
     @property
     def _velocity(self) -> Expression:
-        """Return the velocity as a function of the time of rising."""
+        """Return the velocity as a function of the time since lift-off."""
         found = self.exhaust * Call("ln", ratio(self.full, self.full - self.rate_of_burning * self.since))
         return found - self.gravity.expression() * self.since if self.gravity else found
 
     def integrated(self, left: Expression, risen: Expression) -> str:
-        """Return how the velocity is integrated up to a time of rising, with the mass in place of the time."""
+        """Return the words for the integration of the velocity, with the mass as the variable."""
         time, name, full, rate = self.since.latex(), self.book.fresh("x"), self.full, self.rate_of_burning
         x, speed, fallen = name.latex(), self._velocity.latex(), ""
         if self.gravity:
@@ -182,12 +184,12 @@ class Burning(Way):
 
     @property
     def who(self) -> str:
-        """The rocket, as a sentence begins with it."""
+        """Return the name of the rocket, capitalized."""
         return capital(self.name)
 
     @property
     def name(self) -> str:
-        """The rocket, within a sentence."""
+        """Return the name of the rocket within a sentence."""
         return self.setting.called(self.burn.body)
 
     def told_when_known(self, write: Callable[[], None], *held: Expression) -> bool:
@@ -200,12 +202,13 @@ class Burning(Way):
         return False
 
     def _tell_rising(self) -> None:
-        """Say that the thrust exceeds the weight from the start; nothing rests on it."""
+        """Write that the thrust exceeds the weight from the start."""
         if self.gravity and not self.mechanism.attractions:
             thrust, weight = self.rate_of_burning * self.exhaust, self.first * self.gravity.expression()
             self.told_when_known(lambda: self._verify_rising(thrust, weight), thrust, weight)
 
     def _verify_rising(self, thrust: Expression, weight: Expression) -> None:
+        """Write the comparison of thrust and weight."""
         step = self.book.open("verify")
         names = [self.book.fresh("F", mark) for mark in (r"\text{thrust}", r"\text{weight}")]
         pairs = [*zip(names, (thrust, weight), strict=True)]
@@ -216,7 +219,7 @@ class Burning(Way):
         step.close()
 
     def assumed_at(self, time: Symbol) -> str:
-        """Return a sentence about a time, what is verified in the end or what the problem assumes."""
+        """Return a sentence about the fuel at a time that is verified at the end or assumed by the problem."""
         if self.book.in_symbols:
             return f"By assumption, no fuel is left at ${time.latex()}$. "
         rises = self.setting.motion.state(np.array([self.setting.time])).v[0, 0] > 0.0
@@ -224,11 +227,12 @@ class Burning(Way):
         return f"Assume that at ${time.latex()}$ no fuel is left and that {moving}. "
 
     def tell_spent(self, time: Symbol) -> bool:
-        """Say that no fuel is left at a time, on which nothing rests; return whether it can be said already."""
+        """Write that no fuel is left at a time; return whether it could be written already."""
         formula = (self.first - self.dry) / self.rate_of_burning
         return self.told_when_known(lambda: self._verify_spent(time, formula), formula, time)
 
     def _verify_spent(self, time: Symbol, formula: Expression) -> None:
+        """Write the comparison of a time with the time of burnout."""
         step = self.book.open("verify")
         exceeds(self.book, step, time, formula)
         told = self._observed(step, r"\text{out}", formula)
@@ -236,7 +240,7 @@ class Burning(Way):
         step.close()
 
     def verify_burning(self, time: Symbol, spent: Expression) -> None:
-        """Write that the fuel lasts for longer than a time."""
+        """Write that the fuel lasts longer than a given time."""
         step = self.book.open("verify")
         exceeds(self.book, step, spent, time)
         told = self._observed(step, r"\text{out}", spent)
@@ -257,7 +261,7 @@ class Burning(Way):
 
 
 def _pull(mechanism: Mechanism) -> float:
-    """Return the acceleration of free fall along the rocket's way, at the start."""
+    """Return the initial gravitational acceleration along the rocket's line, m/s²."""
     axis = mechanism.coordinates[0].axis
     found = -sum(a * b for a, b in zip(axis, mechanism.gravity, strict=True))
     frames = start(mechanism)
@@ -267,6 +271,7 @@ def _pull(mechanism: Mechanism) -> float:
 
 
 def _attracted(mechanism: Mechanism, pull: Attraction, one: Vector, other: Vector) -> float:
+    """Return the gravitational acceleration of one attraction along a direction, m/s²."""
     apart = sum((a - b) ** 2 for a, b in zip(one, other, strict=True)) ** 0.5
     heavy = max(mechanism.body[pull.a].mass, mechanism.body[pull.b].mass)
     return pull.constant * heavy / apart**pull.power

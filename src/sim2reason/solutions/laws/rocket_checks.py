@@ -1,4 +1,4 @@
-"""Checks in numbers of where a rocket is, and that another course of its motion is impossible."""
+"""Numerical checks of a rocket's position, and proofs that alternative motions are impossible."""
 
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Number, Symbol, ratio
 from sim2reason.solutions.algebra.functions import Call, Power
@@ -10,9 +10,9 @@ HALF = Number(0.5)
 
 
 def tell_in_the_air(rocket: Burning, velocity: Symbol, risen: Expression) -> None:
-    """Write that a rocket which falls with its engine off is still in the air, or that it cannot be falling.
+    """Write that a falling rocket with its engine off is still in the air, or that it cannot be falling.
 
-    The latter is written where the empty mass is unknown: falling as fast, it would never have lifted off.
+    The latter is written if the empty mass is unknown: with that velocity, the rocket would never have lifted off.
     """
     book, u, g = rocket.book, rocket.exhaust, rocket.gravity.expression()
     if book.value(velocity) > 0.0:
@@ -31,6 +31,7 @@ def tell_in_the_air(rocket: Burning, velocity: Symbol, risen: Expression) -> Non
 
 
 def _exclude_falling(rocket: Burning, velocity: Symbol, risen: Expression) -> None:
+    """Write that a rocket cannot have turned back."""
     book, dry, g = rocket.book, rocket.dry, rocket.gravity.expression()
     if not isinstance(dry, Symbol) or book.sought != dry.name or velocity.name not in book.stated:
         return
@@ -46,9 +47,9 @@ def _exclude_falling(rocket: Burning, velocity: Symbol, risen: Expression) -> No
 
 
 def exclude_burning(rocket: Burning, time: Symbol) -> None:
-    """Write that a rocket with its engine still on at a time would not be as far as it is said to be.
+    """Write that a rocket with its engine still on would not be at the given distance.
 
-    It is told of an unknown rate of burning, with which the distance grows.
+    It applies to an unknown burning rate; the distance increases with this rate.
     """
     book, rate, query = rocket.book, rocket.rate_of_burning, rocket.query
     far = next((name for name, unit in book.units.items() if name in book.stated and unit == METRES), "")

@@ -1,4 +1,4 @@
-"""Sentences about bodies that roll or slip: rotation, moment of inertia, and friction."""
+"""Sentences about bodies that roll or slip: rotation, moment of inertia and friction."""
 
 from sim2reason.solutions.algebra.expressions import ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.polynomials import Polynomial
@@ -30,31 +30,31 @@ def is_stepped(setting: Setting, body: str) -> bool:
 
 
 def rolling_bodies(dynamics: Dynamics, shared: Shared) -> list[str]:
-    """Return the bodies that turn at a shared rate and whose centres move.
+    """Return the bodies with a shared rate that rotate while their centres move.
 
-    The rate is that of the rim relative to the centre, the radius times the rate of turning, and not that of the rim.
+    The rate is that of the rim relative to the centre, which is the radius times the angular rate.
     """
     bodies = (dynamics.mechanism.coordinates[k] for k in shared.sense)
     return [held.body for held in bodies if held.kind == "hinge" and dynamics.newton.moved(held.body)]
 
 
 def only_turning(dynamics: Dynamics, shared: Shared) -> str:
-    """Return the body of which a shared rate is the turning alone, as of one that slips; empty if there is none."""
+    """Return the body whose rotation alone has a shared rate, such as a slipping one; empty if there is none."""
     rolling = rolling_bodies(dynamics, shared)
     return rolling[0] if len(rolling) == len(shared.sense) == 1 else ""
 
 
 def turning_noun(dynamics: Dynamics, shared: Shared) -> str:
-    """Return the name of a rate that is the turning of a body alone, in words, and in which sense it is positive."""
+    """Return the words for a rate of pure rotation and its positive sense."""
     rate = "the angle through which it turns" if dynamics.measure.values else "its angular acceleration"
     body, sense = only_turning(dynamics, shared), _positive(dynamics, shared)
     return f"the {radius_of(dynamics.setting, body)} of {dynamics.setting.called(body)} times {rate}{sense}"
 
 
 def rolling_words(dynamics: Dynamics, body: str, shared: Shared) -> str:
-    """Return the sentence that a body rolls without slipping, and how it turns; later on also in which sense.
+    """Return the sentence that a body rolls without slipping, and its rotation with the positive sense.
 
-    An earlier phase may have counted the opposite sense of turning as positive.
+    The positive sense is repeated, since it may differ from that of an earlier phase.
     """
     rate = "the angle through which it turns" if dynamics.measure.values else "its angular acceleration"
     who, radius = capital(dynamics.setting.called(body)), radius_of(dynamics.setting, body)
@@ -64,7 +64,7 @@ def rolling_words(dynamics: Dynamics, body: str, shared: Shared) -> str:
 
 
 def rolling_way(dynamics: Dynamics, k: int, sense: float) -> str:
-    """Return the direction in which a body rolls that turns in a sense, in words; empty where it has no face."""
+    """Return the words for the direction of rolling for a sense of rotation; empty without a surface."""
     for face in range(len(dynamics.mechanism.faces)):
         slip = dynamics.newton.slip(face)
         slides = [j for j in slip if dynamics.mechanism.coordinates[j].kind == "slide"]
@@ -76,7 +76,7 @@ def rolling_way(dynamics: Dynamics, k: int, sense: float) -> str:
 
 
 def _positive(dynamics: Dynamics, shared: Shared, *, last: bool = True) -> str:
-    """Return in which sense a rate of turning is positive, as an aside after what it is."""
+    """Return the words for the positive sense of a rotation rate, as an aside."""
     hinges = ((k, s) for k, s in shared.sense.items() if dynamics.mechanism.coordinates[k].kind == "hinge")
     ways = [(k, sense, rolling_way(dynamics, k, float(sense))) for k, sense in hinges]
     if not ways:
@@ -87,11 +87,11 @@ def _positive(dynamics: Dynamics, shared: Shared, *, last: bool = True) -> str:
 
 
 def winding_way(dynamics: Dynamics, k: int, sense: int) -> str:
-    """Return words for the positive sense in which a pulley turns, such as *when the string runs onto pulley P*.
+    """Return words for the positive sense of a pulley's rotation, such as *when the string runs onto pulley P*.
 
-    They are empty if no string runs over the pulley.
+    The words are empty if no string runs over the pulley.
     """
-    newton, body = dynamics.newton, dynamics.mechanism.coordinates[k].body  # the pace is that of what is wound up
+    newton, body = dynamics.newton, dynamics.mechanism.coordinates[k].body  # the rate is that of the string wound up
     for onto, to in ((True, "onto"), (False, "off")):
         for line in newton.lines:
             pace = newton.stretch(dynamics.mechanism.lines.index(line), k).value(dynamics.book.values) * sense
@@ -101,7 +101,7 @@ def winding_way(dynamics: Dynamics, k: int, sense: int) -> str:
 
 
 def glided_words(dynamics: Dynamics, k: int) -> str:
-    """Return the words before the distance or arc that a coordinate covers at a constant rate."""
+    """Return the words before the distance or arc of a coordinate at constant rate."""
     coordinate = dynamics.mechanism.coordinates[k]
     if coordinate.kind != "hinge":
         return f"{constant_words(dynamics, k)}, which gives"
@@ -117,7 +117,7 @@ def not_slipping(dynamics: Dynamics, row: Row) -> str:
 
 
 def inertia_words(dynamics: Dynamics, k: int) -> str:
-    """Return by what the torque on what turns with a hinge is divided, after its moment of inertia if it has one."""
+    """Return the words for the divisor of a torque, after the body's moment of inertia if it has one."""
     newton = dynamics.newton
     try:
         radius, inertia = newton.lexicon.read(newton.scale[k]), newton.turning(k, k)
@@ -133,7 +133,7 @@ def inertia_words(dynamics: Dynamics, k: int) -> str:
 
 
 def rim_inertia_words(newton: Newton, setting: Setting, k: int) -> str:
-    """Return the sentence what the moment of inertia of a body is that turns with a hinge; empty where it has none."""
+    """Return the sentence with the moment of inertia of a body on a hinge; empty if it has none."""
     body = setting.mechanism.coordinates[k].body
     inertia, radius = newton.turning(k, k), radius_of(setting, body)
     size = f"${inertia.expression().latex()}$ times the square of its {radius}"
@@ -141,7 +141,7 @@ def rim_inertia_words(newton: Newton, setting: Setting, k: int) -> str:
 
 
 def slipping_words(dynamics: Dynamics, face: int, normal: Polynomial) -> str:
-    """Return the sentence that a round body slips where it touches, with the friction on it, by the normal force."""
+    """Return the sentence that a round body slips at its contact, with the friction in terms of the normal force."""
     newton = dynamics.newton
     size, side = newton.coefficient(face) * normal, float(newton.rough[face])
     ways = [way_of_slip(dynamics, face, sign) for sign in (side, -side)]
@@ -153,7 +153,7 @@ def slipping_words(dynamics: Dynamics, face: int, normal: Polynomial) -> str:
 
 
 def speed_words(dynamics: Dynamics, shared: Shared, begun: Expression, name: Symbol) -> str:
-    """Return what is said before a velocity: of what only turns, or where its name does not say of what it is."""
+    """Return the words before a velocity if its name does not identify it, or if it is that of a rotation."""
     body = only_turning(dynamics, shared)
     first = f", at first ${begun.latex()}$," if begun != ZERO else ""
     if body:
@@ -163,14 +163,14 @@ def speed_words(dynamics: Dynamics, shared: Shared, begun: Expression, name: Sym
 
 
 def arc_words(dynamics: Dynamics, shared: Shared) -> str:
-    """Return what is said before how far something only turns; empty for other rates."""
+    """Return the words before an arc of pure rotation; empty for other displacements."""
     body = only_turning(dynamics, shared)
     radius = f"the {radius_of(dynamics.setting, body)} of {dynamics.setting.called(body)}" if body else ""
     return f"{radius} times the angle through which it has turned is " if body else ""
 
 
 def constant_words(dynamics: Dynamics, k: int) -> str:
-    """Return why a rate does not change any more: of what has begun to roll, once, that this needs no friction."""
+    """Return why a rate is constant; on first use, that rolling on level ground needs no friction."""
     newton = dynamics.newton
     rolls = any(side == 0 and newton.alone(face) is None for face, side in newton.rough.items())
     turns = dynamics.mechanism.coordinates[k].kind == "hinge"

@@ -1,4 +1,4 @@
-"""Second cases of a comparison: what is the same in both cases is not repeated."""
+"""Second cases of a comparison, without repetition of what both cases share."""
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
@@ -16,14 +16,14 @@ from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 from sim2reason.solutions.writing.subscripts import marked, split
 
-KEPT = "verify", "solve"  # kinds of steps that are told again, under new names
-FEW = 20  # words, of which it is not worth while to leave out fewer
+KEPT = "verify", "solve"  # kinds of steps that are repeated under new names
+FEW = 20  # words: shorter repetitions are kept
 
 
 def shorten_second_case(book: Book, begun: int, changed: Mapping[str, str]) -> None:
-    """Say that the laws are the same in place of the steps from `begun` on that set them up once more.
+    """Replace the steps from `begun` on that repeat laws by a sentence that the laws are the same.
 
-    `changed` has the name of the number that differs between the cases, with its name in the first one.
+    `changed` maps the name of the differing number to its name in the first case.
     """
     first, second, names = book.steps[:begun], book.steps[begun:], dict[str, str]()
     repeated = _repeated(book, first, second, names)
@@ -40,10 +40,10 @@ def shorten_second_case(book: Book, begun: int, changed: Mapping[str, str]) -> N
 
 
 def reuse_first_case(book: Book, begun: int, stated: Collection[str]) -> dict[str, str]:
-    """Drop the steps of the second case, from `begun` on, that repeat the first; return the old names by the new ones.
+    """Remove steps of the second case that repeat the first; return old names by new ones.
 
-    `stated` are names of the first case for numbers that the question says. If a motion has several phases, or a result
-    depends on an unknown, each case is told in full.
+    `stated` has the first case's names of numbers in the question. For a motion with several phases, or a result that
+    depends on an unknown, nothing is removed.
     """
     first, second = book.steps[:begun], book.steps[begun:]
     if book.phases or book.hidden or any(step.integration for step in second):
@@ -71,19 +71,19 @@ def reuse_first_case(book: Book, begun: int, stated: Collection[str]) -> dict[st
 
 
 def _same_given(book: Book, new: str, old: str) -> bool:
-    """Return whether two names, one of each case, stand for the same number of the question."""
+    """Return whether two names, one of each case, are the same number of the question."""
     return book.stated[new] == book.stated[old] and split(new)[0] == split(old)[0]
 
 
 def _same_result(book: Book, new: str, old: str) -> bool:
-    """Return whether two names, one of each case, have the same value, or the new one is a label of an equation."""
+    """Return whether two names, one of each case, have the same value, or the new one is an equation's label."""
     if new == old or LABEL.fullmatch(new):
         return True
     return new in book.values and book.values.get(old) == book.values[new]
 
 
 def _is_idle_law(step: Step, kept: Sequence[Step], first: Sequence[Step], book: Book) -> bool:
-    """Return whether a step sets up laws that the first case has, too, and nothing that is kept rests on them."""
+    """Return whether a step only sets up laws of the first case, and no kept step depends on it."""
     if step.kind in KEPT or any(name in book.values for name in step.gives):
         return False
     used = {match[0] for other in kept if other is not step for match in TOKEN.finditer(other.text)}
@@ -95,19 +95,19 @@ def _is_idle_law(step: Step, kept: Sequence[Step], first: Sequence[Step], book: 
 
 
 def _moved(step: Step, places: Mapping[int, int]) -> Step:
-    """Return a step with its new number, and those of the steps that it needs."""
+    """Return a step with its own number and those of the needed steps replaced."""
     needs = {places.get(place, place) for place in step.needs}
     return replace(step, id=places[step.id], needs=tuple(sorted(needs)))
 
 
 def _same_laws(names: Mapping[str, str]) -> str:
-    """Return the sentence that the laws are the same, with what stands in them in place of what."""
+    """Return the sentence that the laws are the same, with the substituted names."""
     said = [f"${new}$ for ${old}$" for new, old in names.items()]
     return f"The same laws hold, with {joined(said)}."
 
 
 def _repeated(book: Book, first: Sequence[Step], second: Sequence[Step], names: dict[str, str]) -> list[Step]:
-    """Return the steps that set up a law of the first case again, and add their new names, each with its old one."""
+    """Return the steps that repeat a law of the first case, and add their new names to `names`."""
     found, left = list[Step](), [*first]
     for step in second:
         valued = any(name in book.values for name in step.gives)
@@ -122,16 +122,16 @@ def _repeated(book: Book, first: Sequence[Step], second: Sequence[Step], names: 
 
 
 def _renaming(text: str, other: str) -> dict[str, str] | None:
-    """Return the names, and labels, of another text by those of a text that differs in nothing else; else None.
+    """Return the renaming that turns one text into another; None if they differ in anything else.
 
-    Two names never stand for one.
+    The renaming is one-to-one.
     """
     parts, others = text.split("$"), other.split("$")
     if len(parts) != len(others):
         return None
     found: dict[str, str] = {}
     for number, (part, its) in enumerate(zip(parts, others, strict=True)):
-        pattern = TOKEN if number % 2 else LABEL  # names stand in formulas, labels between them
+        pattern = TOKEN if number % 2 else LABEL  # names occur in formulas, labels between them
         if pattern.sub("", part) != pattern.sub("", its):
             return None
         new, old = ([match[0] for match in pattern.finditer(held)] for held in (part, its))
@@ -141,7 +141,7 @@ def _renaming(text: str, other: str) -> dict[str, str] | None:
 
 
 def _labels(first: Sequence[Step], rest: Sequence[Step], names: Mapping[str, str]) -> dict[str, str]:
-    """Return new labels of equations: those of the first case for laws that are not told again, else the next ones."""
+    """Return new labels of equations: those of the first case for repeated laws, else the next ones."""
     told = max((int(label[1:-1]) for step in first for label in LABEL.findall(step.text)), default=0)
     found = {new: old for new, old in names.items() if LABEL.fullmatch(new)}
     for step in rest:
@@ -151,15 +151,15 @@ def _labels(first: Sequence[Step], rest: Sequence[Step], names: Mapping[str, str
     return found
 
 
-LONG = 200  # characters of a formula that is better not written; that it exceeds another is checked all the same
-LONGEST = 1000  # characters of a formula into which nothing more is inserted, as it would only become longer
+LONG = 200  # characters: longer formulas are checked, but not written
+LONGEST = 1000  # characters: no substitution into longer formulas
 
 
 def verify_again(book: Book, symbol: str, changed: Expression, lead: str) -> None:
-    """Write that each comparison that depends on a symbol still holds with `changed` in place of it.
+    """Write that each comparison that depends on a symbol still holds with `changed` in its place.
 
     Raises:
-        UnsolvedError: one does not.
+        UnsolvedError: a comparison does not hold.
     """
     formulas = {name: formula for name, formula in defined_by(book.steps).items() if name not in book.stated}
     hanging = _hanging(formulas, symbol)
@@ -175,7 +175,7 @@ def verify_again(book: Book, symbol: str, changed: Expression, lead: str) -> Non
 
 
 def _hanging(formulas: Mapping[str, Expression], symbol: str) -> dict[str, Expression]:
-    """Return the formulas of names that depend on a symbol, by name, the last defined one first."""
+    """Return the formulas of names that depend on a symbol, the last defined first."""
     found: dict[str, Expression] = {}
     for name, formula in formulas.items():
         if not {symbol, *found}.isdisjoint(formula.symbols()):
@@ -186,7 +186,7 @@ def _hanging(formulas: Mapping[str, Expression], symbol: str) -> dict[str, Expre
 def _changed(
     side: Expression, symbol: str, changed: Expression, hanging: Mapping[str, Expression]
 ) -> Expression | None:
-    """Return a formula with `changed` for a symbol, also in formulas of names that depend on it; None if it is long."""
+    """Return a formula with `changed` in place of a symbol, also in dependent names; None if it gets long."""
     for name, formula in {**hanging, symbol: changed}.items():
         side = put(side, name, formula)
         if len(side.latex()) > LONGEST:
@@ -195,10 +195,10 @@ def _changed(
 
 
 def _exceeds_still(book: Book, held: Relation, formulas: Mapping[str, Expression]) -> None:
-    """Check a comparison in numbers, with other formulas of names, each after those on which it depends.
+    """Check a comparison numerically with other formulas for names.
 
     Raises:
-        UnsolvedError: it does not hold.
+        UnsolvedError: the comparison does not hold.
     """
     at = dict(book.values)
     for name, formula in formulas.items():
@@ -208,6 +208,7 @@ def _exceeds_still(book: Book, held: Relation, formulas: Mapping[str, Expression
 
 
 def _verify(book: Book, step: Step, held: Relation, sides: Sequence[Expression], lead: str) -> None:
+    """Write one comparison with its new values."""
     writing, (left, right) = book.open("verify"), sides
     exceeds(book, writing, left, right)
     if max(len(side.latex()) for side in sides) > LONG:
@@ -219,7 +220,7 @@ def _verify(book: Book, step: Step, held: Relation, sides: Sequence[Expression],
 
 
 def _told(writing: Writing, step: Step, sides: tuple[Expression, Expression]) -> str:
-    """Return one side of a comparison: its new value, or its name where it stays what it is."""
+    """Return one side of a comparison in words: its new value, or its name if it is unchanged."""
     before, after = sides
     named = next((r for r in step.relations if r.role == "verified" and before in (r.left, r.right)), None)
     if named is None or before == after:

@@ -18,7 +18,7 @@ from sim2reason.solutions.writing.unit_latex import ACCELERATION
 
 FORCES = frozenset({"tension", "normal force", "friction force", "impulse of a tension", "work of a tension"})
 """Quantities that, if given, determine an acceleration together with its sign."""
-SLOW = 1e-9  # m/s: nothing slips at the beginning
+SLOW = 1e-9  # m/s: smaller initial velocities of slip count as zero
 
 
 def rubs_at_rest(dynamics: Dynamics, face: int) -> bool:
@@ -35,7 +35,7 @@ def directions_of_friction(dynamics: Dynamics, rows: Sequence[Row]) -> list[str]
     sticking: list[str] = []
     for face, side in dynamics.newton.rough.items():
         body = dynamics.mechanism.faces[face].subject
-        if side and dynamics.newton.alone(face) is None:  # of what is round it is told with the point of contact
+        if side and dynamics.newton.alone(face) is None:  # round bodies: written with the point of contact
             continue
         if side and f"N{face}" in used:
             ways.setdefault(way_of_slip(dynamics, face, -side), []).append(body)
@@ -43,21 +43,21 @@ def directions_of_friction(dynamics: Dynamics, rows: Sequence[Row]) -> list[str]
             (force,) = dynamics.names[f"f{face}"].names()
             way = way_of_slip(dynamics, face, 1 if dynamics.values[f"f{face}"] >= 0.0 else -1)
             who = dynamics.setting.called(body)
-            if dynamics.book.in_symbols:  # it may be of either sense
+            if dynamics.book.in_symbols:  # either direction is possible
                 sticking.append(f"The static friction ${force}$ on {who} is counted as positive {way}.")
             else:
                 sticking.append(f"Static friction ${force}$ acts on {who} {way}.")
     said = [f"on {dynamics.setting.listed(bodies)} {way}" for way, bodies in ways.items()]
     bodies = [body for some in ways.values() for body in some]
-    stacked = any(body.parent in bodies for body in dynamics.mechanism.bodies)  # and so rub on both faces
+    stacked = any(body.parent in bodies for body in dynamics.mechanism.bodies)  # contacts on both faces
     begin = "From the surface beneath, friction" if stacked else "Friction"
     return [*([f"{begin} acts {joined(said)}."] if said else []), *sticking]
 
 
 def verify_sliding(dynamics: Dynamics) -> None:
-    """Write for each body that starts to slide in these laws why it does, and that way; nothing rests on it.
+    """Write for each body that starts to slide why it slides in the assumed direction.
 
-    Where numbers are not known yet, that follows in the end; where all is in symbols, the text of the problem says it.
+    With unknown numbers it is written at the end; in symbolic problems the text states it.
     """
     book = dynamics.book
     if book.in_symbols:
@@ -69,6 +69,7 @@ def verify_sliding(dynamics: Dynamics) -> None:
 
 
 def _tell(dynamics: Dynamics) -> None:
+    """Write the reasons of `verify_sliding`."""
     spoken = {dynamics.mechanism.coordinates[row.number].body for group in dynamics.groups for row in group}
     moved: dict[Expression, list[int]] = {}
     for number, side in dynamics.newton.rough.items():
@@ -85,7 +86,7 @@ def _tell(dynamics: Dynamics) -> None:
 
 
 def _tell_not_held(dynamics: Dynamics, face: int, needed: Expression) -> None:
-    """State that the friction needed to stay at rest or to roll exceeds the greatest; nothing in a limiting case."""
+    """State that the friction needed to stick or roll exceeds its maximum; nothing in a limiting case."""
     book, newton = dynamics.book, dynamics.newton
     most = limit_of_friction(newton, face)
     if abs(book.value(needed)) > book.value(most):
@@ -95,7 +96,7 @@ def _tell_not_held(dynamics: Dynamics, face: int, needed: Expression) -> None:
 
 
 def _tell_accelerated(dynamics: Dynamics, relative: Expression, faces: Sequence[int]) -> None:
-    """Write that bodies accelerate, against friction, relative to the surface on which they lie."""
+    """Write that bodies accelerate relative to the surface under them even against friction."""
     book, setting = dynamics.book, dynamics.setting
     if not {*relative.symbols()} <= book.values.keys() or book.value(relative) <= 0.0:
         return
@@ -122,9 +123,9 @@ def _tell_accelerated(dynamics: Dynamics, relative: Expression, faces: Sequence[
 
 
 def _without_friction(dynamics: Dynamics, found: Symbol) -> Expression | None:
-    """Return the acceleration without friction, if the text has the one with friction from a given speed or time alone.
+    """Return the acceleration without friction if that with friction follows from a given speed or time; else None.
 
-    That is positive whichever way the bodies move, so it does not show the direction. None for any other.
+    Such an acceleration is positive for either direction of motion, so it does not prove the direction.
     """
     book, formula = dynamics.book, dynamics.book.formulas.get(found.name)
     solved = any(step.kind == SOLVED and found.name in step.gives for step in book.steps)
@@ -132,14 +133,14 @@ def _without_friction(dynamics: Dynamics, found: Symbol) -> Expression | None:
     if formula is None or not solved or len(dynamics.shared) != 1 or (target and target.quantity in FORCES):
         return None
     if any(isinf(dynamics.mechanism.faces[face].friction) for face in dynamics.newton.rough):
-        return None  # what holds without a limit may act along the motion, too
+        return None  # an unlimited constraint may also act along the motion
     formula = put_all(formula, {name: book.formulas[name] for name in reversed(book.formulas) if name != found.name})
     coefficients = (dynamics.newton.coefficient(face) for face in dynamics.newton.rough)
     return put_all(formula, {name: ZERO for coefficient in coefficients for name in coefficient.names()})
 
 
 def _unvalued(dynamics: Dynamics, face: int) -> Symbol | None:
-    """Return the symbol of an acceleration in the sense of slip that a string binds to another one, or None."""
+    """Return the symbol of an acceleration of slip that a string binds to another one; None without a string."""
     slips = [*dynamics.newton.slip(face).items()]
     if len(slips) != 1:
         return None
@@ -149,7 +150,7 @@ def _unvalued(dynamics: Dynamics, face: int) -> Symbol | None:
 
 
 def _slides(dynamics: Dynamics, faces: Sequence[int]) -> list[str]:
-    """Return who slides, and which way, for each direction."""
+    """Return the sliding bodies and their directions, in words."""
     ways: dict[tuple[str, str], list[str]] = {}
     for face in faces:
         body, way = dynamics.mechanism.faces[face].subject, way_of_slip(dynamics, face, dynamics.newton.rough[face])
@@ -161,13 +162,13 @@ def _slides(dynamics: Dynamics, faces: Sequence[int]) -> list[str]:
 
 
 def way_of_slip(dynamics: Dynamics, face: int, sense: float) -> str:
-    """Return the direction in which a body slides on a face if the surfaces slip in a sense, in words."""
+    """Return the words for the direction in which a body slides at a contact."""
     slides = sliding_coordinates(dynamics.mechanism, face)
     return dynamics.moving(slides[0][0], 1 if sense * slides[0][1] > 0.0 else -1) if slides else ""
 
 
 def _relative(dynamics: Dynamics, face: int) -> Expression | None:
-    """Return the acceleration with which surfaces begin to slip, in the sense in which they do; None if not known."""
+    """Return the acceleration of slip at a contact, in its direction; None if it is unknown."""
     parts = _parts(dynamics, face)
     whole: Expression = ZERO
     for _, factor, found in parts or []:
@@ -176,7 +177,7 @@ def _relative(dynamics: Dynamics, face: int) -> Expression | None:
 
 
 def _parts(dynamics: Dynamics, face: int) -> list[tuple[int, Polynomial, Expression]] | None:
-    """Return the coordinates that make surfaces slip, each with its factor and acceleration; None if one is unknown."""
+    """Return the coordinates that contribute to slip with factors and accelerations; None if one is unknown."""
     rows, parts = _laws(dynamics), list[tuple[int, Polynomial, Expression]]()
     for k, part in dynamics.newton.slip(face).items():
         terms = [(k, 1.0)]
@@ -209,7 +210,7 @@ def _tell_carriers(dynamics: Dynamics, step: Writing, face: int) -> None:
 
 
 def _laws(dynamics: Dynamics) -> list[Row]:
-    """Return all laws, with the normal forces that weights alone give put in."""
+    """Return all laws, with the normal forces due to weights alone substituted."""
     rows, _ = dynamics.laws([])
     pressed: dict[str, Polynomial] = {}
     for row in rows:
@@ -220,6 +221,6 @@ def _laws(dynamics: Dynamics) -> list[Row]:
 
 
 def sliding_coordinates(m: Mechanism, face: int) -> list[tuple[int, float]]:
-    """Return the coordinates along which a body slides on a face, each with its factor in the velocity of slip."""
+    """Return the coordinates along which a body slides at a contact, with their factors in the slip velocity."""
     pairs = [(m.number[name], factor) for name, factor in m.faces[face].slip]
     return [(k, factor) for k, factor in pairs if m.coordinates[k].kind == "slide"]

@@ -1,4 +1,4 @@
-"""Newton's laws of bodies on straight ways that springs pull, too; the force of spring n is the unknown ``S`` n."""
+"""Newton's laws of bodies on straight lines with springs; the force of spring n is the unknown ``S`` n."""
 
 from sim2reason.scenes.dsl.frames import Frames
 from sim2reason.scenes.dsl.mechanism import Elastic, Line, Mechanism
@@ -12,7 +12,7 @@ class SpringLaws(Newton):
 
     @property
     def springs(self) -> list[int]:
-        """The numbers of the lines that are springs."""
+        """Return the indices of the lines that are springs."""
         return [number for number, line in enumerate(self.mechanism.lines) if isinstance(line.law, Elastic)]
 
     def tension(self, number: int, line: Line) -> Polynomial:
@@ -24,34 +24,37 @@ class SpringLaws(Newton):
         return symbol("S", number)
 
     def _elastic(self, number: int, what: str) -> Polynomial:
+        """Return a number of a spring in the symbols of the text."""
         return self.read(lambda m, _: getattr(m.lines[number].law, what))
 
     def stiffness(self, number: int) -> Polynomial:
-        """Of a spring, N/m."""
+        """Return the stiffness of a spring, N/m."""
         return self._elastic(number, "stiffness")
 
     def damping(self, number: int) -> Polynomial:
-        """Of the dashpot beside it, N s/m."""
+        """Return the damping constant of the dashpot parallel to a spring, N s/m."""
         return self._elastic(number, "damping")
 
     def strain(self, number: int) -> Polynomial:
-        """By how much a spring is longer than its natural length at the start."""
+        """Return the initial extension of a spring, m."""
         return self.read(lambda m, f: _length(m.lines[number], f) - _natural(m, number))
 
     def length(self, number: int) -> Polynomial:
-        """Return how long it is at the start."""
+        """Return the initial length of a spring, m."""
         return self.read(lambda m, f: _length(m.lines[number], f))
 
     def changes(self, number: int, k: int) -> Both:
-        """Return how its length grows with a coordinate, as numbers."""
+        """Return the change of a spring's length per unit of a coordinate, as numbers."""
         return self._stretch(number, k) / self.scale[k]
 
 
 def _length(line: Line, frames: Frames) -> float:
+    """Return the initial length of a line, m."""
     return sum(float(piece.value) for piece in frames.pieces(line))
 
 
 def _natural(mechanism: Mechanism, number: int) -> float:
+    """Return the natural length of a spring, m."""
     law = mechanism.lines[number].law
     assert isinstance(law, Elastic)
     return law.length

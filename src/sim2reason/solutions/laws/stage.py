@@ -1,4 +1,4 @@
-"""Segments of a motion at constant accelerations: times, speeds and distances, and how they end."""
+"""Stages of a motion with constant accelerations: durations, velocities, displacements and end conditions."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -30,14 +30,14 @@ from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED
 
 @dataclass(frozen=True, slots=True)
 class End:
-    """The end of a stage: a known time, a distance moved by a coordinate, or the instant at which it comes to rest."""
+    """The end of a stage: a known time, a distance moved along a coordinate, or a coordinate at rest."""
 
     time: Symbol | None = None
     coordinate: int = -1
-    distance: Polynomial | None = None  # in the sense of the coordinate; None: it comes to rest
+    distance: Polynomial | None = None  # along the coordinate; None: the coordinate comes to rest
     what: str = ""  # in words
-    slip: Mapping[int, Polynomial] = field(default_factory=dict[int, Polynomial])  # whose sum of rates comes to zero
-    turned: int | None = None  # the face on which the body slips the other way from then on
+    slip: Mapping[int, Polynomial] = field(default_factory=dict[int, Polynomial])  # factors of slip
+    turned: int | None = None  # contact at which the direction of slip reverses
 
 
 HALF = Number(0.5)
@@ -45,19 +45,19 @@ HALF = Number(0.5)
 
 @dataclass
 class Stage:
-    """A segment with what it begins with; `speeds` and `places` by coordinate, in the coordinate's own sense."""
+    """A segment with its initial `speeds` and `places` by coordinate, positive along the coordinate."""
 
     setting: Setting
     book: Book
     segment: Segment
-    span: float  # s, for signs alone
+    span: float  # duration, s, used only for signs
     end: End
     speeds: Mapping[int, Polynomial] = field(default_factory=dict[int, Polynomial])
     places: Mapping[int, Polynomial] = field(default_factory=dict[int, Polynomial])
-    uniform: bool = False  # nothing is accelerated any more
+    uniform: bool = False  # all velocities are constant
 
     def __post_init__(self) -> None:
-        """Nothing is written yet."""
+        """Prepare the laws of the segment, and convert initial values to those relative to the ground."""
         self.dynamics = WrittenDynamics(self.setting, self.book, self.segment)
         self.speeds = self.dynamics.by_themselves(self.speeds)
         self.places = self.dynamics.by_themselves(self.places)
@@ -66,7 +66,7 @@ class Stage:
         self._moved: dict[str, Polynomial] = {}
 
     def relative(self, kind: str, k: int) -> Polynomial:
-        """Return a rate or a way at the end, relative to what carries the body."""
+        """Return a final velocity ``v`` or displacement ``s`` relative to the carrier of the body."""
         of = {"v": self.velocity, "s": self.place}[kind]
         if k not in self.dynamics.carried:
             return of(k)
@@ -74,18 +74,18 @@ class Stage:
         return of(k) - of(j).scaled(sign)
 
     def reach(self, goals: Sequence[str]) -> None:
-        """Find accelerations and forces."""
+        """Write the accelerations and forces that are goals."""
         if not self.uniform:
             self.dynamics.reach(goals)
 
     # ---- by coordinate
 
     def acceleration(self, k: int) -> Polynomial:
-        """Return the second derivative of a coordinate."""
+        """Return the acceleration along a coordinate."""
         return NIL if self.uniform else self.dynamics.names[f"q{k}"]
 
     def velocity(self, k: int) -> Polynomial:
-        """Return the rate of a coordinate at the end."""
+        """Return the final velocity along a coordinate."""
         if self.uniform:
             return self.speeds.get(k, NIL)
         shared = self._shared(k)
@@ -94,7 +94,7 @@ class Stage:
         return self._at_end(shared).scaled(float(shared.sense[k]))
 
     def place(self, k: int) -> Polynomial:
-        """Return how far a coordinate has come at the end, in m."""
+        """Return the displacement along a coordinate at the end, since the start of the motion, m."""
         shared, before = self._shared(k), self.places.get(k, NIL)
         if self.uniform or (shared is None and k in self.dynamics.unforced):
             return self._glided(k, before)
@@ -105,7 +105,7 @@ class Stage:
         return before + self._travelled(shared).scaled(float(shared.sense[k]))
 
     def gain(self, k: int) -> Polynomial:
-        """Return how far a coordinate has come in this stage alone, in m."""
+        """Return the displacement along a coordinate in this stage, m."""
         shared = self._shared(k)
         if self.uniform or (shared is None and k in self.dynamics.unforced):
             return self._glided(k, NIL)
@@ -116,16 +116,16 @@ class Stage:
         return self._travelled(shared).scaled(float(shared.sense[k])) if shared is not None else NIL
 
     def gained(self, k: int) -> Polynomial:
-        """Return the same, relative to what carries the body."""
+        """Return the displacement along a coordinate in this stage, relative to the carrier of the body, m."""
         if k not in self.dynamics.carried:
             return self.gain(k)
         j, sign = self.dynamics.carried[k]
         return self.gain(k) - self.gain(j).scaled(sign)
 
     def path(self, k: int) -> Expression:
-        """Return how far a coordinate has come to and fro in this stage, in m."""
+        """Return the distance travelled along a coordinate in this stage, with reversals, m."""
         shared = None if self.uniform else self._shared(k)
-        if shared is None or (self._ends(shared) and self.end.distance is not None):  # it ends on its way there
+        if shared is None or (self._ends(shared) and self.end.distance is not None):  # no reversal before the end
             return self._size(self.gain(k).expression())
         begun, late = self._begun(shared), self._value(shared, moved=False)
         early = self.book.value(begun.expression())
@@ -142,10 +142,11 @@ class Stage:
         return added(self._size(name), self._size(self._travelled(shared).expression() - name))
 
     def _size(self, held: Expression) -> Expression:
+        """Return a formula without its sign."""
         return held if self.book.value(held) >= 0.0 else -held
 
     def _glided(self, k: int, before: Polynomial) -> Polynomial:
-        """Return how far a coordinate has come, in m, after it has changed at a constant rate."""
+        """Write the displacement along a coordinate at constant velocity, m."""
         if not self.speeds.get(k, NIL):
             return before
         time, step, name = self.time, self.book.open("distance"), self.book.fresh("s")
@@ -155,7 +156,7 @@ class Stage:
         return Polynomial.of(name)
 
     def _at_constant_velocity(self) -> Symbol:
-        """Return how long a distance takes at a constant velocity, in s."""
+        """Write the duration of a stage at constant velocity that ends at a distance, s."""
         k = self.end.coordinate
         if self.end.distance is None or not self.speeds.get(k, NIL):
             raise UnsolvedError("nothing ends a motion at constant velocity")
@@ -166,18 +167,20 @@ class Stage:
         return name
 
     def _shared(self, k: int) -> Shared | None:
+        """Return the common rate of a coordinate, or None."""
         return next((shared for shared in self.dynamics.shared if k in shared.sense), None)
 
     def _begun(self, shared: Shared) -> Polynomial:
-        """With which rate it begins, in its own sense."""
+        """Return the initial velocity of a common rate, in its own sense."""
         k, sense = next(iter(shared.sense.items()))
         return self.speeds.get(k, NIL).scaled(float(sense))
 
     def _ends(self, shared: Shared) -> bool:
+        """Return whether a common rate includes the coordinate that ends the stage."""
         return not self.end.slip and self.end.coordinate in shared.sense
 
     def _value(self, shared: Shared, *, moved: bool) -> float:
-        """Return the engine's value at the end: of the rate, in m/s, or of the displacement, in m."""
+        """Return the engine's final value of a common rate, m/s, or displacement, m."""
         k, sense = next(iter(shared.sense.items()))
         scale = sense * self.dynamics.newton.scale[k].here
         own = self.dynamics.own
@@ -188,24 +191,25 @@ class Stage:
 
     @property
     def time(self) -> Symbol:
-        """Return how long the stage takes, in s."""
+        """Return the duration of the stage, s."""
         if self.written_time is None:
             self.written_time = self._lasting()
         return self.written_time
 
     def _rolling(self) -> Symbol:
-        """Return when the surfaces no longer slip: Σ factor (v + a t) = 0."""
+        """Write the time at which slip ends: Σ factor (v + a t) = 0."""
         begun = total(part * self.speeds.get(k, NIL) for k, part in self.end.slip.items())
         gained = total(part * self.acceleration(k) for k, part in self.end.slip.items())
         step, name = self.book.open("time"), self.book.fresh("t")
         law = step.law(*balance(begun + gained * Polynomial.of(name)))
-        swapped = -1.0 if self.book.value(gained.expression()) > 0.0 else 1.0  # so that both parts are positive
+        swapped = -1.0 if self.book.value(gained.expression()) > 0.0 else 1.0  # makes both parts positive
         formula = ratio(begun.scaled(swapped).expression(), gained.scaled(-swapped).expression())
         step.say(f"{self.end.what} {law}, so {step.result(name, formula, SECONDS)}.")
         step.close()
         return name
 
     def _lasting(self) -> Symbol:
+        """Write the duration of the stage."""
         if self.uniform:
             return self._at_constant_velocity()
         if self.end.slip:
@@ -234,7 +238,7 @@ class Stage:
         return name
 
     def _root(self, shared: Shared, distance: Expression, *, first: bool = True) -> Expression:
-        """Return the first positive time of d = v t + ½ a t², or the other time."""
+        """Return the first positive root of d = v t + ½ a t², or the other root."""
         begun, a = self._begun(shared).factored(), shared.symbol
         if begun == ZERO:
             return Root(Quotient(multiplied(Number(2.0), distance), self._over(shared)[0]))
@@ -243,19 +247,20 @@ class Stage:
         return Quotient(added(multiplied(Number(sign), Root(under)), -begun), a)
 
     def _over(self, shared: Shared) -> tuple[Expression, str]:
-        """Return the acceleration over a distance, perhaps its magnitude, and why as an addition to a sentence."""
+        """Return the acceleration over a distance, perhaps its magnitude, and the reason to end a sentence."""
         bodies = [self.dynamics.mechanism.coordinates[k].body for k in shared.sense]
         begun = self._begun(shared).factored()
         return acceleration_over_distance(self.setting, self.book, begun, shared.symbol, bodies)
 
     def _at_end(self, shared: Shared) -> Polynomial:
+        """Return the final velocity of a common rate, written once."""
         name = shared.symbol.name
         if name not in self._velocity:
             self._velocity[name] = self._speed(shared)
         return self._velocity[name]
 
     def _speed(self, shared: Shared) -> Polynomial:
-        """Write the rate at the end, in m/s: v + a t, or a root of v² + 2 a d where a distance is known."""
+        """Write the final velocity, m/s: v + a t, or √(v² + 2 a d) for a known distance."""
         if self._ends(shared) and self.end.distance is None and self.end.time is None:
             return NIL
         begun, a = self._begun(shared).factored(), shared.symbol
@@ -270,6 +275,7 @@ class Stage:
         return Polynomial.of(name)
 
     def _by_distance(self, shared: Shared, begun: Expression) -> Polynomial:
+        """Write the final velocity after a known distance."""
         assert self.end.distance is not None
         distance = self.end.distance.scaled(float(shared.sense[self.end.coordinate])).expression()
         step, name = self.book.open("velocity"), self.book.fresh("v", subscript(shared.symbol.name))
@@ -282,13 +288,14 @@ class Stage:
         return Polynomial.of(name)
 
     def _travelled(self, shared: Shared) -> Polynomial:
+        """Return the displacement of a common rate, written once."""
         name = shared.symbol.name
         if name not in self._moved:
             self._moved[name] = self._distance(shared)
         return self._moved[name]
 
     def _distance(self, shared: Shared) -> Polynomial:
-        """Write the displacement, in m: v t + ½ a t², or v²/2a of what comes to rest."""
+        """Write the displacement, m: v t + ½ a t², or v²/2a for a body that comes to rest."""
         if self._ends(shared) and self.end.distance is not None:
             return self.end.distance.scaled(float(shared.sense[self.end.coordinate]))
         begun, a = self._begun(shared).factored(), shared.symbol
@@ -307,4 +314,5 @@ class Stage:
 
 
 def _path(begun: Expression, a: Expression, time: Expression) -> Expression:
+    """Return v t + ½ a t²."""
     return added(multiplied(begun, time), multiplied(HALF, multiplied(a, Power(time, 2))))

@@ -25,33 +25,33 @@ from sim2reason.solutions.writing.unit_latex import SPEED
 
 
 class Course(Protocol):
-    """How far coordinates come in a part of a motion, see `Stage`."""
+    """The displacements along coordinates in a part of a motion, such as a `Stage`."""
 
     @property
     def dynamics(self) -> Dynamics:
-        """Return what names its displacements, or its accelerations."""
+        """Return the laws that name its accelerations or displacements."""
         ...
 
     @property
     def time(self) -> Symbol:
-        """Return how long it takes."""
+        """Return the duration."""
         ...
 
     def gain(self, k: int) -> Polynomial:
-        """Return how far a coordinate comes."""
+        """Return the displacement along a coordinate."""
         ...
 
     def gained(self, k: int) -> Polynomial:
-        """Return the same, relative to what carries the body."""
+        """Return the displacement along a coordinate relative to the carrier of the body."""
         ...
 
     def path(self, k: int) -> Expression:
-        """Return how far to and fro, without a sign."""
+        """Return the distance travelled along a coordinate."""
         ...
 
 
 def tell_arcs(book: Book, stages: Sequence[Course], k: int) -> None:
-    """Write through which arcs a hinge turns the rim of its body in several stages, and which of them it turns back."""
+    """Write the arcs through which a hinge turns the rim of its body in several stages, and their senses."""
     gains = [gain for stage in stages if (gain := stage.gain(k))]
     if len(gains) < 2:
         return
@@ -70,7 +70,7 @@ def tell_arcs(book: Book, stages: Sequence[Course], k: int) -> None:
 
 @dataclass(frozen=True, slots=True)
 class StagePart(Stretch):
-    """One stage of a way, and the laws that give its forces."""
+    """One stage of a motion, with the laws that give its forces."""
 
     way: Way
     stage: Course
@@ -78,15 +78,16 @@ class StagePart(Stretch):
 
     @property
     def _newton(self) -> Newton:
+        """Return the laws of the stage."""
         return self.laws.newton
 
     @property
     def time(self) -> Symbol:
-        """Return how long it takes."""
+        """Return the duration."""
         return self.stage.time
 
     def force(self, kind: str, name: str) -> Polynomial:
-        """Return a tension; µN against the slip of a body that slides, with the sign that makes its work positive."""
+        """Return a tension, or µN with the sign that makes the work of friction positive."""
         m, names = self.way.mechanism, self.laws.names
         if kind == "T":
             line = m.line[name]
@@ -98,7 +99,7 @@ class StagePart(Stretch):
         return (self._newton.coefficient(face) * names[f"N{face}"]).scaled(float(side)) if side else NIL
 
     def moved(self, body: str, line: str) -> Polynomial:
-        """Return how far a body moves along a line that is tied to it."""
+        """Return the displacement of a body along a line attached to it."""
         own = self.stage.dynamics.enough(self.way.moving([body]))
         parts: list[Polynomial] = []
         for k in own:
@@ -107,18 +108,18 @@ class StagePart(Stretch):
         return total(parts)
 
     def slipped(self, body: str) -> Polynomial:
-        """Return how far it slips on its face."""
+        """Return the displacement of a body relative to the surface under it."""
         face = next(n for n, held in enumerate(self.way.mechanism.faces) if held.subject == body)
         return total(part * self.stage.gained(k) for k, part in self._newton.slip(face).items())
 
     def drawn(self, line: str) -> Polynomial:
-        """By how much a line grows shorter."""
+        """Return the decrease of a line's length."""
         number = self.way.mechanism.lines.index(self.way.mechanism.line[line])
         moving = self.way.stretching(line)
         return total(self._newton.stretch(number, k) * self.stage.gained(k) for k in moving).scaled(-1.0)
 
     def path(self, body: str) -> Expression:
-        """Return how far it travels along its line."""
+        """Return the distance that a body travels along its line."""
         dynamics = self.stage.dynamics
         own = [k for k in dynamics.enough(self.way.moving([body])) if k not in dynamics.frozen]
         if not own:
@@ -129,7 +130,7 @@ class StagePart(Stretch):
 
 
 def _along(mechanism: Mechanism, frames: Frames, of: tuple[str, str, int]) -> float:
-    """Return how much of a coordinate's motion goes along a line, away from where that is tied to a body."""
+    """Return the component of a coordinate's motion along a line, away from its attachment to a body."""
     body, line, k = of
     through = mechanism.line[line].through
     ends = through if mechanism.site[through[0]].body == body else through[::-1]
@@ -139,9 +140,9 @@ def _along(mechanism: Mechanism, frames: Frames, of: tuple[str, str, int]) -> fl
 
 
 def verify_still_sliding(stages: Sequence[Stage]) -> None:
-    """Write for each body whose sliding on another one slows down that it goes on until a stage ends.
+    """Write for each body whose sliding slows down that it still slides at the end of a stage.
 
-    Nothing rests on it. Where numbers are not known yet, it follows in the end.
+    No other step depends on it. With unknown numbers it is written at the end.
     """
     for number, stage in enumerate(stages):
         told = stages[: number + 1]
@@ -160,7 +161,7 @@ def verify_still_sliding(stages: Sequence[Stage]) -> None:
 
 
 def _slowing(stage: Stage) -> list[int]:
-    """Return the faces of moving bodies on which others slide ever more slowly, without that on which they stop."""
+    """Return the contacts at which sliding slows down, except that whose end of slip ends the stage."""
     m, segment, found = stage.dynamics.mechanism, stage.segment, list[int]()
     for number, side in stage.dynamics.newton.rough.items():
         face = m.faces[number]
@@ -177,9 +178,9 @@ def _slowing(stage: Stage) -> list[int]:
 
 
 def _gained(stage: Stage, face: int, *, first: bool) -> Polynomial | None:
-    """Return what a stage adds to the velocity of a body relative to the one on which it slides; None if unknown.
+    """Return the change of a body's slip velocity in a stage; None if it is unknown.
 
-    The `first` stage adds to the velocity with which it begins.
+    For the `first` stage, the initial slip velocity is included.
     """
     dynamics, parts = stage.dynamics, sliding_coordinates(stage.dynamics.mechanism, face)
     moving = [(k, 1.0) for k, _ in parts]
@@ -197,11 +198,13 @@ def _gained(stage: Stage, face: int, *, first: bool) -> Polynomial | None:
 
 
 def _size(stage: Stage, held: Polynomial) -> Expression:
+    """Return a polynomial as a formula without its sign."""
     formula = held.collected((stage.time.name,))
     return formula if stage.book.value(formula) >= 0.0 else held.scaled(-1.0).collected((stage.time.name,))
 
 
 def _tell(stage: Stage, face: int, velocity: Expression) -> None:
+    """Write that a body still slides at the end of a stage."""
     book, setting = stage.book, stage.setting
     body = stage.dynamics.mechanism.faces[face].subject
     under = stage.dynamics.mechanism.body[body].parent

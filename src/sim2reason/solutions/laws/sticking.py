@@ -1,4 +1,4 @@
-"""Verification of assumptions on friction: a body that sticks or rolls needs at most µ_s N."""
+"""Checks of static friction: a body that sticks or rolls needs at most µ_s N."""
 
 from math import isinf
 
@@ -13,11 +13,11 @@ from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import Book, Writing
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, NEWTONS
 
-LIMIT = 1.0 + 1e-9
+LIMIT = 1.0 + 1e-9  # largest ratio of the needed friction to µ_s N
 
 
 def verify_sticking(dynamics: Dynamics) -> None:
-    """A step for each body that sticks where its law alone says which friction that takes; nothing rests on it."""
+    """Write, for each sticking body whose own law gives the friction, that it does not exceed its maximum."""
     mechanism, newton = dynamics.mechanism, dynamics.newton
     spoken = {mechanism.coordinates[row.number].body for group in dynamics.groups for row in group}
     spoken |= {carrier for body in spoken for carrier in carriers(dynamics, body)}
@@ -32,12 +32,13 @@ def verify_sticking(dynamics: Dynamics) -> None:
 
 
 def limit_of_friction(newton: Newton, face: int) -> Expression:
-    """Return the greatest static friction µ_s N of a face on which weights alone press."""
+    """Return the greatest static friction µ_s N of a contact on which weights alone press."""
     normal = newton.normal(face).forces.without((f"N{face}",)).scaled(-1.0)
     return multiplied(newton.static_coefficient(face).expression(), normal.expression())
 
 
 def _tell(dynamics: Dynamics, number: int, friction: Expression, normal: Expression) -> None:
+    """Write the comparison of the needed friction with its maximum."""
     book, body = dynamics.book, dynamics.mechanism.faces[number].subject
     friction = friction if book.value(friction) >= 0.0 else -friction
     most = multiplied(dynamics.newton.static_coefficient(number).expression(), normal)
@@ -58,7 +59,7 @@ def _tell(dynamics: Dynamics, number: int, friction: Expression, normal: Express
 
 
 def tell_slipping_on(newton: Newton, setting: Setting, book: Book, face: int) -> None:
-    """Write that a body slips the other way from now on, and why, with numbers if nothing else holds it."""
+    """Write that a body slides the other way from now on, and why."""
     body = setting.mechanism.faces[face].subject
     step, who, carrier = book.open("verify"), setting.called(body), setting.mechanism.body[body].parent
     said = f"{who} slips in the opposite direction from then on, and the friction on it is reversed"
@@ -82,7 +83,7 @@ def tell_slipping_on(newton: Newton, setting: Setting, book: Book, face: int) ->
 def tell_not_held(
     newton: Newton, setting: Setting, book: Book, face: int, needed: Expression, therefore: str = ""
 ) -> None:
-    """State that the friction needed to stay at rest or to roll exceeds the greatest friction available."""
+    """State that the friction needed to stay at rest or to roll exceeds its maximum."""
     step, most = book.open("verify"), limit_of_friction(newton, face)
     friction = needed if book.value(needed) >= 0.0 else -needed
     exceeds(book, step, friction, most)
@@ -93,7 +94,7 @@ def tell_not_held(
 def _needed_words(
     newton: Newton, setting: Setting, step: Writing, book: Book, face: int, forces: tuple[Expression, Expression]
 ) -> str:
-    """State in a clause that the friction needed to stay at rest or to roll exceeds the greatest friction."""
+    """Return a clause that the friction needed to stay at rest or to roll exceeds its maximum."""
     subject = setting.mechanism.faces[face].subject
     mark, who = setting.mark(subject), setting.called(subject)
     if newton.alone(face) is not None:
@@ -122,7 +123,7 @@ def _way(setting: Setting, body: str) -> int:
 
 
 def holding(newton: Newton, setting: Setting, face: int) -> Expression | None:
-    """Return the friction for a lone body to stick (its load) or to roll (I/(I + m R²) of it); else None."""
+    """Return the friction with which a single body sticks (its load) or rolls (load · I/(I + m R²)); else None."""
     mechanism, subject = setting.mechanism, setting.mechanism.faces[face].subject
     ways = [mechanism.number[c.name] for c in mechanism.body[subject].coordinates if c.kind == "slide"]
     if len(mechanism.bodies) > 1 or mechanism.lines or mechanism.forces or len(ways) != 1:
@@ -139,13 +140,13 @@ def holding(newton: Newton, setting: Setting, face: int) -> Expression | None:
 def told_friction(
     book: Book, step: Writing, mark: str, friction: Expression, most: Expression, named: Symbol | None = None
 ) -> list[str]:
-    """Return the formulas of the friction that is needed, unless it is `named` already a new name, and the greatest."""
+    """Return the formulas of the needed and the greatest friction; the needed one is omitted if already `named`."""
     names = [named or book.fresh("f", mark), book.fresh(r"f_{\text{max}}", mark)]
     return [step.verified(name, held, NEWTONS) for name, held in zip(names, (friction, most), strict=True)]
 
 
 def found_alone(dynamics: Dynamics, rows: list[Row], name: str) -> Expression | None:
-    """Return a force, from a law in which all else has a value by now; None if there is none."""
+    """Return a force from a law in which all other values are known; None if there is none."""
     named = dynamics.names.get(name)
     if named is not None:
         named = named if named.names() <= dynamics.book.values.keys() else named.put(dynamics.bound)
@@ -160,7 +161,7 @@ def found_alone(dynamics: Dynamics, rows: list[Row], name: str) -> Expression | 
 
 
 def carriers(dynamics: Dynamics, body: str) -> list[str]:
-    """Return what carries a body, the nearest first."""
+    """Return the bodies that carry a body, the nearest first."""
     found, step = list[str](), dynamics.mechanism.body[body].parent
     while step is not None:
         found.append(step)

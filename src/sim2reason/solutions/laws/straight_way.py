@@ -1,4 +1,4 @@
-"""What goals ask of a strategy for bodies on straight ways: components of accelerations, velocities, displacements."""
+"""Motion of bodies along straight lines as goals use it: components of accelerations, velocities, displacements."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
@@ -21,10 +21,10 @@ STILL = 1e-9
 
 
 class Way(ABC):
-    """The way to one answer, for bodies that move along straight lines."""
+    """The derivation of one answer for bodies that move along straight lines."""
 
     def __init__(self, setting: Setting, book: Book) -> None:
-        """Nothing is written yet."""
+        """Take the problem and the book."""
         self.setting, self.book = setting, book
         self.mechanism, self.query = setting.mechanism, setting.query
         self.target: Target | None = setting.target
@@ -32,41 +32,42 @@ class Way(ABC):
     @property
     @abstractmethod
     def newton(self) -> Newton:
-        """The laws at the moment that is asked about."""
+        """Return Newton's laws at the moment of the question."""
 
     @abstractmethod
     def rate(self, kind: str, k: int) -> Polynomial:
-        """Return how fast a coordinate changes (``v``), how fast that does (``a``), or by how much it has (``s``)."""
+        """Return the velocity ``v``, acceleration ``a`` or displacement ``s`` along a coordinate."""
 
     @abstractmethod
     def force(self, kind: str, name: str) -> Symbol:
-        """Return a force that Newton's laws gave."""
+        """Return the symbol of a force from Newton's laws."""
 
     @property
     def goal(self) -> Goal | None:
-        """Return how the quantity follows; None for a time."""
+        """Return the goal of the question's quantity; None for a time."""
         return GOALS[self.target.quantity] if self.target is not None else None
 
     @property
     def uses(self) -> str:
-        """Return what of the motion is needed; of a time, displacements."""
+        """Return the kinds of vectors that the goal needs; ``s`` for a time."""
         return self.goal.uses if self.goal is not None else "s"
 
     @cached_property
     def _start(self) -> Frames:
+        """Return the initial geometry."""
         return start(self.mechanism)
 
     def moving(self, bodies: Sequence[str]) -> list[int]:
-        """Return the coordinates that move some bodies."""
+        """Return the coordinates that move given bodies."""
         ways = (self._start.center(body).gradient.items() for body in bodies)
         return sorted({k for found in ways for k, way in found if product(way, way) > STILL})
 
     def own(self, body: str) -> list[int]:
-        """Return the coordinates whose rates add up to the motion of a body; by default all that move it."""
+        """Return the coordinates whose rates add up to a body's motion; by default all that move it."""
         return self.moving([body])
 
     def asked_coordinates(self) -> list[int]:
-        """Return the coordinates that move what is asked about."""
+        """Return the coordinates that move the subjects of the question."""
         if self.target is None or self.goal is None:
             return []
         bodies, sense = list(self.goal.bodies(self.target)), self.target.sense
@@ -81,20 +82,20 @@ class Way(ABC):
         return abs(product(self._start.center(body).gradient[k], way)) >= STILL
 
     def stretching(self, line: str) -> list[int]:
-        """Return the coordinates with which the length of a line changes."""
+        """Return the coordinates that change the length of a line."""
         newton = Newton(self.setting.lexicon, self.setting.motion.segments[0])
         number = self.mechanism.lines.index(self.mechanism.line[line])
         return [k for k in range(len(self.mechanism.coordinates)) if newton.stretch(number, k)]
 
     def hinge(self, body: str) -> int | None:
-        """Return the coordinate that turns a body about its own centre; None if there is none."""
+        """Return the coordinate of a body's rotation about its centre; None if there is none."""
         own = self.mechanism.body[body]
         turning = [c.name for c in own.coordinates if c.kind == "hinge" and any(own.inertia)]
         return self.mechanism.number[turning[0]] if len(turning) == 1 else None
 
     @cached_property
     def first_speeds(self) -> Mapping[int, Polynomial]:
-        """The rates of coordinates at the start, but for those that are zero."""
+        """Return the nonzero initial velocities by coordinate."""
         lexicon = self.setting.lexicon
         pairs = zip(lexicon.mechanism.coordinates, lexicon.twin.coordinates, strict=True)
         turns = any(c.kind == "hinge" for c in self.mechanism.coordinates)
@@ -103,7 +104,7 @@ class Way(ABC):
         return {k: lexicon.read(speed * scale[k] if scale else speed) for k, speed in speeds.items()}
 
     def component(self, kind: str, body: str, way: Vector) -> Polynomial:
-        """Along a direction of the room, or the line of the body's own motion; ``u`` is the velocity at the start."""
+        """Return a component along a world direction, or the body's own line; ``u`` is the initial velocity."""
         if kind == "u":
             moving = [k for k in self.moving([body]) if k in self.first_speeds]
             return self.projected(body, way, {k: self.first_speeds[k] for k in moving})
@@ -111,9 +112,9 @@ class Way(ABC):
         return self.projected(body, way, {k: self.rate(kind, k) for k in along})
 
     def projected(self, body: str, way: Vector, rates: Mapping[int, Polynomial]) -> Polynomial:
-        """Return the component of what moves a body, by coordinate.
+        """Return the component of a body's motion along a direction, given its rates by coordinate.
 
-        A slanted sense holds the scene's own numbers, so that the twin's could not be read along it.
+        An oblique direction depends on the scene's numbers, so it must not be used for the twin.
         """
         parts: list[Polynomial] = []
         for k, rate in rates.items():
@@ -130,7 +131,7 @@ class Way(ABC):
         return total(parts)
 
     def vector(self, kind: str, body: str) -> Components:
-        """Return all three components, along the axes that the text gives the body, else those of the room."""
+        """Return all three components along the body's axes in the text, or those of the world frame."""
         own = self._own(body)
         if own:
             rates = self.first_speeds if kind == "u" else {k: self.rate(kind, k) for k in own}
@@ -150,13 +151,13 @@ class Way(ABC):
         return total(rate.scaled(float(round(sense))) for rate, sense in zip(rates, senses, strict=True))
 
     def _own(self, body: str) -> list[int]:
-        """Return the coordinates of a body that has axes of its own in the text, at right angles."""
+        """Return the two coordinates of a body with perpendicular axes of its own; else an empty list."""
         found = [c for c in self.mechanism.body[body].coordinates if c.label in AXES and c.kind == "slide"]
         free = self.mechanism.body[body].parent is None and len(found) == 2
         return [self.mechanism.number[c.name] for c in found] if free else []
 
     def apart(self, one: str, other: str) -> Components:
-        """From the centre of one body to that of another, at the start."""
+        """Return the initial vector from the centre of one body to that of another."""
         lexicon = self.setting.lexicon
         places = [minus(f.center(other).place, f.center(one).place) for f in (self._start, start(lexicon.twin))]
         own, ways = self._own(other), list[tuple[Vector, Vector]]()
@@ -168,57 +169,57 @@ class Way(ABC):
         return (x, y, NIL) if own else (x, y, z)
 
     def rim(self, kind: str, body: str) -> Polynomial:
-        """Return what the rim of a body does that turns about its own axis."""
+        """Return the motion of the rim of a rotating body; zero for others."""
         k = self.hinge(body)
         return self.rate(kind, k) if k is not None else NIL
 
     def radius(self, body: str) -> Polynomial:
-        """Return the radius of that rim."""
+        """Return the radius of a rotating body's rim."""
         k = self.hinge(body)
         if k is None:
             raise UnsolvedError(f"{body} does not turn")
         return self.setting.lexicon.read(self.newton.scale[k])
 
     def rim_inertia(self, body: str) -> Polynomial:
-        """I/R²."""
+        """Return I/R² of a rotating body."""
         k = self.hinge(body)
         if k is None:
             raise UnsolvedError(f"{body} does not turn")
         return self.newton.turning(k, k)
 
     def tell_arcs(self, body: str) -> None:
-        """Name the distances along the rim of a turning body; by default there is at most one, which needs no name."""
+        """Write the arcs of a rotating body's rim; by default there is one, which needs no name."""
         del body
 
     def axes(self, body: str) -> tuple[str, ...]:
-        """Return what the text calls the room's directions for a body."""
+        """Return the names of a body's axes in the text."""
         own = [self.mechanism.coordinates[k].label for k in self._own(body)]
         return (*own, "") if own else AXES
 
     def spring(self, what: str, line: str) -> Polynomial:
-        """Return a number of a spring; by default there is none."""
+        """Return a number of a spring; by default raise UnsolvedError."""
         raise UnsolvedError(f"no {what} of {line}")
 
     def growth(self, kind: str, line: str) -> Polynomial:
-        """By how much a line has grown, or how fast it does; by default it has no spring."""
+        """Return the increase of a line's length, or its rate; by default raise UnsolvedError."""
         raise UnsolvedError(f"no {kind} of {line}")
 
     @property
     def stretches(self) -> Sequence[Stretch]:
-        """The parts of the motion; by default it has none."""
+        """Return the parts of the motion; by default raise UnsolvedError."""
         raise UnsolvedError("no way to what adds up over a motion")
 
     def work(self, line: str, body: str) -> Symbol | None:
-        """Return that of a tension which changes all the while; by default it is constant, part by part."""
+        """Return the work of a varying tension; by default None, since tensions are constant in each part."""
         del line, body
 
     def impulse(self, line: str) -> Symbol | None:
-        """Return that of a tension which changes all the while; by default it is constant, part by part."""
+        """Return the impulse of a varying tension; by default None, since tensions are constant in each part."""
         del line
 
     @property
     def impacts(self) -> Sequence[Struck]:
-        """The collisions up to the moment; by default it has none."""
+        """Return the collisions up to the moment; by default raise UnsolvedError."""
         raise UnsolvedError("there are no collisions")
 
     def mass(self, body: str) -> Polynomial:
@@ -227,11 +228,11 @@ class Way(ABC):
 
     @property
     def gravity(self) -> Polynomial:
-        """The acceleration of free fall."""
+        """Return the gravitational acceleration."""
         return self.newton.gravity
 
     @property
     def speeds(self) -> AbstractSet[str]:
-        """Speeds at the start, and distances and times that the question says."""
+        """Return the names of initial speeds, and of the distances and times in the question."""
         first = {name for held in self.first_speeds.values() for name in held.names()}
         return first | set(self.book.stated)

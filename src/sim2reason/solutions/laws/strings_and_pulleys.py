@@ -1,4 +1,4 @@
-"""Checks that strings stay taut, balances of light pulleys, and the laws that an answer needs."""
+"""Checks that strings stay taut, balances of light pulleys, and the choice of laws for an answer."""
 
 from collections.abc import Collection, Mapping, Sequence
 from collections.abc import Set as AbstractSet
@@ -22,9 +22,9 @@ TWICE = 2.0
 def balanced_tensions(
     light: Sequence[Equation], known: Collection[str], unknown: AbstractSet[str], goals: Collection[str]
 ) -> tuple[dict[str, Polynomial], dict[str, frozenset[str]]]:
-    """Return the tensions that balances at light pulleys give by others, and the labels of those balances.
+    """Return tensions in terms of others by the balance of light pulleys, and the labels of these balances.
 
-    `goals` are found by others last. UnsolvedError where a balance has a ratio that changes.
+    `goals` are eliminated last. UnsolvedError if a balance has a varying ratio.
     """
     found: dict[str, Polynomial] = {}
     labels: dict[str, frozenset[str]] = {}
@@ -44,7 +44,7 @@ def balanced_tensions(
 
 
 def doubled(dynamics: Dynamics, row: Row) -> str:
-    """Return why the acceleration of a pulley stands twice in a law of a string, as an addition to a sentence."""
+    """Return why a pulley's acceleration has the factor 2 in a string's law, as an addition to a sentence."""
     held = [int(name[1:]) for name in row.inertia.names() if name[1:].isdigit()]
     twice = [k for k in held if abs(row.inertia.coefficient(f"q{k}").number or 0.0) == TWICE]
     bodies = [dynamics.mechanism.coordinates[k].body for k in sorted(twice)]
@@ -54,16 +54,16 @@ def doubled(dynamics: Dynamics, row: Row) -> str:
     return f", and moving {dynamics.setting.listed(pulleys)} changes the two parts beside it equally"
 
 
-FAINT = 1e-9  # of the largest weight: a law that takes no part
+FAINT = 1e-9  # relative to the largest weight: laws with smaller weights are not needed
 
 
 def needed(
     rows: Sequence[Row], unknowns: Sequence[str], values: Mapping[str, float], goals: Sequence[str]
 ) -> list[Row]:
-    """Return the rows that determine the goals, in order; UnsolvedError if all together do not.
+    """Return the laws that determine the goals, in order; UnsolvedError if all laws together do not.
 
-    The weights with which laws add up to a goal are unique where the laws are independent: those of weight 0 are idle.
-    Where they are not (two frictions of which only the sum is fixed), laws are left out one by one.
+    If the laws are independent, the weights of their sum for a goal are unique, and laws of weight 0 are omitted. If
+    they are not (two friction forces of which only the sum is determined), laws are omitted one by one.
     """
     matrix = np.array([[row.zero.coefficient(name).value(values) for name in unknowns] for row in rows])
     matrix = matrix.reshape(len(rows), len(unknowns))
@@ -75,6 +75,7 @@ def needed(
 
 
 def _taking_part(matrix: NDArray[np.float64], target: NDArray[np.float64], goal: str) -> set[int]:
+    """Return the indices of the laws that determine one goal."""
     everything = list(range(len(matrix)))
     weights = _weights(matrix, target)
     if weights is None:
@@ -90,19 +91,20 @@ def _taking_part(matrix: NDArray[np.float64], target: NDArray[np.float64], goal:
 
 
 def _weights(matrix: NDArray[np.float64], target: NDArray[np.float64]) -> NDArray[np.float64] | None:
+    """Return the weights of the laws whose sum gives the target; None if no sum does."""
     if not len(matrix):
         return None
     weights = np.asarray(np.linalg.lstsq(matrix.T, target, rcond=1e-12)[0], dtype=np.float64)
     return weights if np.abs(matrix.T @ weights - target).max() <= 1e-8 else None
 
 
-TAUT = "tension check"  # the kind of these steps
+TAUT = "tension check"  # kind of these steps
 
 
 def verify_taut(dynamics: Dynamics, rows: Sequence[Row]) -> None:
-    """Let a solution that is shown say that the strings stay taut whose tensions it does not work out anyway.
+    """Schedule the check that strings stay taut whose tensions the solution does not compute otherwise.
 
-    `rows` are the laws. Nothing rests on it; where all is in symbols, the text of the problem says it.
+    `rows` are the laws. No other step depends on the check; in symbolic problems the text states it.
     """
     book = dynamics.book
     if dynamics.taut and not dynamics.measure.values and not book.in_symbols:
@@ -111,7 +113,7 @@ def verify_taut(dynamics: Dynamics, rows: Sequence[Row]) -> None:
 
 
 def after_what_they_rest_on(steps: Sequence[Step], late: AbstractSet[str]) -> list[Step]:
-    """Put these steps directly after what their numbers follow from, unless some are known only `late`."""
+    """Move the checks of tautness directly behind the steps that they depend on, unless values are `late`."""
     found = [step for step in steps if step.kind != TAUT or not late.isdisjoint(step.symbols())]
     for step in (step for step in steps if step.kind == TAUT and step not in found):
         found.insert(
@@ -121,6 +123,7 @@ def after_what_they_rest_on(steps: Sequence[Step], late: AbstractSet[str]) -> li
 
 
 def _tell(dynamics: Dynamics, rows: Sequence[Row], phase: int) -> None:
+    """Write the check that strings stay taut."""
     book, rows = dynamics.book, _with_weights(dynamics, rows)
     now, book.phase = book.phase, phase
     step, told = book.open(TAUT), list[tuple[int, str]]()
@@ -149,13 +152,14 @@ def _tell(dynamics: Dynamics, rows: Sequence[Row], phase: int) -> None:
 
 
 def _line(dynamics: Dynamics, place: int) -> str:
+    """Return the name of a string."""
     return dynamics.setting.lines[dynamics.newton.lines[place].name]
 
 
 def _positive(
     dynamics: Dynamics, step: Writing, place: int, law: Polynomial, symbols: dict[str, Polynomial]
 ) -> list[tuple[int, str]]:
-    """Record that a tension is positive, by its law; return it with its equation, or nothing if it is zero."""
+    """Record that a tension is positive by its law; return it with its equation, or nothing if it is zero."""
     own = next(iter(symbols[f"T{place}"].names())) if f"T{place}" in symbols else f"T{place}"
     formula, book = solved(law, own), dynamics.book
     line = dynamics.newton.lines[place]
@@ -189,12 +193,13 @@ def _ready(
 
 
 def _is_told(dynamics: Dynamics, place: int) -> bool:
+    """Return whether the solution computes a tension."""
     named = dynamics.names.get(f"T{place}")
     return named is not None and named.names() <= dynamics.book.values.keys()
 
 
 def _with_weights(dynamics: Dynamics, rows: Sequence[Row]) -> list[Row]:
-    """Return all laws but those of normal forces, with the normal forces that weights alone give put in."""
+    """Return all laws except those of normal forces, with normal forces due to weights alone substituted."""
     pressed: dict[str, Polynomial] = {}
     for row in rows:
         name = f"N{row.number}"

@@ -1,4 +1,4 @@
-"""Proofs in numbers that a body has turned back, or a stage has ended, by an instant or a distance, or has not."""
+"""Numerical proofs that a body has turned back, or a stage has ended, before an instant or distance, or has not."""
 
 from collections.abc import Callable
 
@@ -10,7 +10,7 @@ from sim2reason.solutions.writing.unit_latex import METRES, SECONDS, SPEED
 
 
 def turned_before(book: Book, step: Writing, begun: Expression, a: Symbol, time: Symbol) -> str:
-    """Return that a velocity that begins as `begun` has become zero before a time, as an addition to a sentence."""
+    """Return the words that a velocity has become zero before a time, as an addition to a sentence."""
     formula = Quotient(-begun, a)
     exceeds(book, step, time, formula)
     if book.is_hidden(formula):
@@ -20,14 +20,14 @@ def turned_before(book: Book, step: Writing, begun: Expression, a: Symbol, time:
 
 
 def later_words(book: Book, step: Writing, formula: Expression, time: Symbol) -> str:
-    """Return *only after t_turn = ..., which is more than t*, of a time in s, and record the comparison in the step."""
+    """Return *only after t_turn = ..., which is more than t*, for a time in s, and record the comparison."""
     exceeds(book, step, formula, time)
     told = step.verified(book.fresh("t", r"\text{turn}"), formula, SECONDS)
     return f"only after {told}, which is more than ${time.name}$"
 
 
 def tell_turning_only_later(book: Book, begun: Expression, a: Symbol, time: Symbol | None) -> None:
-    """Write that a velocity that begins as `begun` and decreases becomes zero only after a time, if it is known."""
+    """Write that a decreasing velocity becomes zero only after a time, if the time is known."""
     formula = Quotient(-begun, a)
     if time is None or book.is_hidden(formula) or book.is_hidden(time) or not book.value(formula) > 0.0:
         return
@@ -37,7 +37,7 @@ def tell_turning_only_later(book: Book, begun: Expression, a: Symbol, time: Symb
 
 
 def tell_not_turned(book: Book, begun: Expression, a: Symbol, time: Symbol, who: str) -> None:
-    """Write that a body still moves on at a time, so that it is there for the first time."""
+    """Write that a body still moves forward at a time, so that it is there for the first time."""
     if book.in_symbols:
         return
     formula = added(begun, multiplied(a, time))
@@ -49,7 +49,7 @@ def tell_not_turned(book: Book, begun: Expression, a: Symbol, time: Symbol, who:
 
 
 def verify_remaining(book: Book, left: Symbol, formula: Expression, until: str) -> None:
-    """Write in the end, if it hangs on the unknown, that the earlier stages of a motion end before an instant."""
+    """Write that earlier stages end before an instant; at the end if it depends on the unknown."""
 
     def write() -> None:
         step = book.open("verify")
@@ -62,9 +62,9 @@ def verify_remaining(book: Book, left: Symbol, formula: Expression, until: str) 
 
 
 def verify_farther(book: Book, whole: Polynomial, covers: tuple[Symbol, Polynomial], who: str) -> None:
-    """Write that earlier stages of a motion do not cover a distance; in the end, if it hangs on the unknown.
+    """Write that earlier stages do not cover a distance; at the end if it depends on the unknown.
 
-    `whole` is what is left of the way; `covers` are the distance, and how far the body has come.
+    `whole` is the remaining distance; `covers` has the distance and the displacement so far.
     """
     rest, (distance, place) = whole.expression(), covers
 
@@ -87,5 +87,6 @@ def verify_farther(book: Book, whole: Polynomial, covers: tuple[Symbol, Polynomi
 
 
 def _in_the_end(book: Book, held: Expression, write: Callable[[], None]) -> None:
+    """Schedule a check for the end if it depends on the unknown."""
     if book.is_hidden(held) and not book.in_symbols:
         book.afterwards.append(write)

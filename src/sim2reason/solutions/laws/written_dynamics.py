@@ -1,4 +1,4 @@
-"""Sentences about the laws that lead to an acceleration or a force, with their equations."""
+"""Sentences about the laws that give an acceleration or a force, with their equations."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
@@ -28,7 +28,7 @@ from sim2reason.solutions.writing.unit_latex import NEWTONS
 
 
 def tell_unforced(dynamics: Dynamics, goals: Sequence[str]) -> None:
-    """Write that no force acts in the directions of coordinates whose accelerations are among the goals."""
+    """Write that no force acts along coordinates whose accelerations are among the goals."""
     step = dynamics.book.open("unforced")
     for k in sorted(dynamics.unforced - dynamics.frozen):
         if f"q{k}" in goals:
@@ -39,10 +39,10 @@ def tell_unforced(dynamics: Dynamics, goals: Sequence[str]) -> None:
 
 
 class WrittenDynamics(Dynamics):
-    """The laws of an instant, from which whatever is asked for is worked out in writing."""
+    """The laws of an instant, from which accelerations and forces are derived in writing."""
 
     def reach(self, goals: Sequence[str]) -> None:
-        """Write the way to some unknowns, such as ``q3`` or ``T1``; their `names` are known then."""
+        """Write the derivation of unknowns, such as ``q3`` or ``T1``; their `names` have values then."""
         still = self.frozen | self.unforced
         tell_unforced(self, goals)
         goals = [goal for goal in dict.fromkeys(goals) if not (goal[0] == "q" and int(goal[1:]) in still)]
@@ -64,27 +64,27 @@ class WrittenDynamics(Dynamics):
 
 
 class DynamicsWriter:
-    """The sentences about chosen laws, and the equations that they say."""
+    """A writer of sentences about chosen laws, with their equations."""
 
     def __init__(self, dynamics: Dynamics, rows: Sequence[Row], goals: Sequence[str]) -> None:
-        """`rows` are the laws that were chosen, `goals` what they lead to."""
+        """Take the chosen laws `rows` and the unknowns that they determine, `goals`."""
         self.d, self.rows = dynamics, rows
         self.names = dynamics.names
         self.goals = [_name_of(dynamics.names[goal]) for goal in goals]
         self._labels: list[str] = []
-        self.inline: dict[str, Polynomial] = {}  # normal forces that weights alone give
-        self.pressed: dict[str, Polynomial] = {}  # the others, in terms of accelerations
+        self.inline: dict[str, Polynomial] = {}  # normal forces due to weights alone
+        self.pressed: dict[str, Polynomial] = {}  # other normal forces in terms of accelerations
         dynamics.bound = {}
 
     def _open(self, kind: str) -> Writing:
-        """Begin a step that is kept only if something rests on it."""
+        """Begin a step that is kept only if another step depends on it."""
         step = self.d.book.open(kind)
         self._labels.append(f"{kind} {len(self.d.book.steps)}")
         step.label(self._labels[-1])
         return step
 
     def write(self) -> None:
-        """Write everything."""
+        """Write the names, the laws and their solution."""
         self._introduce()
         equations = [*self._strings(), *self._faces()]
         groups = self.d.groups
@@ -102,6 +102,7 @@ class DynamicsWriter:
     # ---- what things are called
 
     def _introduce(self) -> None:
+        """Write the names of accelerations and tensions."""
         step, noun = self._open("names"), self.d.measure.noun
         said = [f"${shared.symbol.name}${self._what(shared)}" for shared in self.d.shared]
         if len(said) == 1:
@@ -116,7 +117,7 @@ class DynamicsWriter:
         step.close()
 
     def _resting(self) -> list[str]:
-        """Return sentences about the bodies that do not move on what carries them."""
+        """Return sentences about bodies at rest relative to their carriers."""
         found: dict[str, list[str]] = {}
         for k in sorted(self.d.frozen):
             body = self.d.mechanism.coordinates[k].body
@@ -131,19 +132,21 @@ class DynamicsWriter:
         ]
 
     def _line(self, name: str) -> str:
+        """Return the name of the string of a tension."""
         return self.d.setting.lines[self.d.newton.lines[int(name[1:])].name]
 
     def _what(self, shared: Shared) -> str:
-        """Return what a rate is, after its name: of whom, or, where something only turns, which product."""
+        """Return the words after the symbol of a rate: its bodies, or the rotation it describes."""
         alone = only_turning(self.d, shared)
         return f", {turning_noun(self.d, shared)}" if alone else f" {self._whose(shared)}"
 
     def _rolling(self, shared: Shared) -> str:
+        """Return the sentences about rolling bodies."""
         bodies = rolling_bodies(self.d, shared) if not only_turning(self.d, shared) else []
         return " ".join(rolling_words(self.d, body, shared) for body in bodies)
 
     def _whose(self, shared: "Shared") -> str:
-        """Return whose rate it is, such as *of block A downward and of block B up the slope*."""
+        """Return the bodies of a rate, such as *of block A downward and of block B up the slope*."""
         ways: dict[str, list[str]] = {}
         turning: list[str] = []
         for k, sense in shared.sense.items():
@@ -160,12 +163,13 @@ class DynamicsWriter:
         return " and ".join([*said, *(f"of {rim_of(self.d.setting, body)}" for body in turning)])
 
     def _moves(self, body: str) -> bool:
+        """Return whether a body moves."""
         return any(k not in self.d.frozen for k in self.d.newton.moved(body))
 
     # ---- constraints
 
     def _strings(self) -> list[Equation]:
-        """Strings that bind accelerations at other ratios than one."""
+        """Write the constraints of strings that bind accelerations at ratios other than one; return them."""
         found: list[Equation] = []
         step = self._open("constraint")
         for row in self.rows:
@@ -188,7 +192,7 @@ class DynamicsWriter:
         return found
 
     def _dependent(self, zero: Polynomial) -> str:
-        """Return the acceleration that is best expressed by the others: none that is asked for, and simply."""
+        """Return the acceleration to eliminate: preferably no goal, and with a simple coefficient."""
         names = [n for n in sorted(zero.names() & self.d.units.keys()) if zero.coefficient(n).number is not None]
         if not names:
             raise UnsolvedError("a string binds accelerations at a ratio that changes")
@@ -197,7 +201,7 @@ class DynamicsWriter:
     # ---- faces
 
     def _faces(self) -> list[Equation]:
-        """Normal forces that the weight alone gives are put in at once; others are told."""
+        """Substitute normal forces due to weights alone; write and return the equations of the others."""
         found: list[Equation] = []
         step = self._open("normal")
         for row in self.rows:
@@ -225,23 +229,25 @@ class DynamicsWriter:
     # ---- rows
 
     def _row(self, group: Sequence[Row]) -> Row:
-        """Return the sum of a group's laws, in the symbols of the book, along the sense in which it moves."""
+        """Return the sum of a group's laws in the symbols of the book, along its sense of motion."""
         sense = float(self.d.sense.get(group[0].number, 1))
         row = self.d.added(group)
         forces, inertia = (part.put(self.names).put(self.inline).scaled(sense) for part in (row.forces, row.inertia))
         return Row("newton", group[0].number, forces, inertia)
 
     def _equation(self, group: Sequence[Row], *, labelled: bool) -> Equation:
+        """Return the equation of a group's laws."""
         row = self._row(group)
         k = group[0].number
         moves = self.names.get(f"q{k}", NIL)
-        if k in self.d.carried:  # what it carries along with it is in the law of its carrier
+        if k in self.d.carried:  # the common acceleration is in the law of its carrier
             j, sign = self.d.carried[k]
             moves = moves - self.names.get(f"q{j}", NIL).scaled(sign)
         moves = moves.scaled(float(self.d.sense.get(k, 1)))
         return Equation(self.d.book.labels.next() if labelled else "", row.forces, row.inertia, moves)
 
     def _tell(self, groups: Sequence[Sequence[Row]], equations: Sequence[Equation]) -> None:
+        """Write the laws of all groups."""
         step = self._open("newton")
         for group, equation in zip(groups, equations, strict=True):
             if not equation.inertia and not self._mass(group):
@@ -254,6 +260,7 @@ class DynamicsWriter:
         step.close()
 
     def _why(self, group: Sequence[Row]) -> str:
+        """Return the words before the law of a group."""
         if self.d.measure.values:
             who, _, direction = self._who(group).rpartition(", ")
             said = f"No external force on {who} has a component {direction}, and they start from rest,"
@@ -261,7 +268,7 @@ class DynamicsWriter:
         return capital(self._who(group))
 
     def _inertia(self, group: Sequence[Row], equation: Equation) -> Expression:
-        """Mass times acceleration, where all have the same."""
+        """Return mass times acceleration, with the masses collected if all have the same acceleration."""
         own = [row.inertia.put(self.names).scaled(float(self.d.sense.get(row.number, 1))) for row in group]
         masses = [part.coefficient(n) for part in own for n in sorted(equation.moves.names()) if part]
         accelerations = sorted(equation.inertia.names() & self.d.units.keys())
@@ -273,20 +280,21 @@ class DynamicsWriter:
         return equation.inertia.collected(accelerations)
 
     def _mass(self, group: Sequence[Row]) -> bool:
-        """Return whether anything moves with a group that has a mass, or a moment of inertia."""
+        """Return whether a group has a mass or a moment of inertia."""
         heavy = {k for b in self.d.mechanism.bodies if b.mass for k in self.d.newton.moved(b.name)}
         return any(row.number in heavy or self.d.mechanism.coordinates[row.number].kind == "hinge" for row in group)
 
     def _body(self, k: int) -> str:
+        """Return the body of a coordinate."""
         return self.d.mechanism.coordinates[k].body
 
     def _who(self, group: Sequence[Row]) -> str:
-        """Whose law it is, and along which direction."""
+        """Return the bodies of a law and its direction, in words."""
         k = group[0].number
         own = [self._body(row.number) for row in group]
         if self.d.mechanism.coordinates[k].kind == "hinge":
             return f"torque on {self.d.setting.called(own[0])}{inertia_words(self.d, k)}"
-        said = {self.d.setting.called(body) for body in own}  # as of a pulley and its carrier
+        said = {self.d.setting.called(body) for body in own}  # a pulley and its carrier share a name
         heavy = [b.name for b in self.d.mechanism.bodies if b.mass and b.name not in own]
         riders = [body for body in heavy if self._carried(body, own) and self.d.setting.called(body) not in said]
         who = self.d.setting.listed(own)
@@ -295,6 +303,7 @@ class DynamicsWriter:
         return f"{who}{' together' if len(own) > 1 or riders else ''}, {self.d.moving(k, self.d.sense.get(k, 1))}"
 
     def _carried(self, body: str, own: Iterable[str]) -> bool:
+        """Return whether one of some bodies carries a body."""
         step = self.d.mechanism.body[body].parent
         while step is not None:
             if step in own:
@@ -304,5 +313,5 @@ class DynamicsWriter:
 
 
 def _name_of(held: Polynomial) -> str:
-    """Return the one symbol of a polynomial."""
+    """Return the only symbol of a polynomial."""
     return next(iter(held.names()), "")
