@@ -27,11 +27,11 @@ from sim2reason.simulation.quantities import QUANTITIES
 
 PATIENCE = {False: tuple(4.0**n for n in range(2, 12)), True: (16.0, 64.0)}
 """Times the horizon, till when results are waited for with no value found; fewer where motions are integrated."""
-SPARSE = 4  # every so many points of a range are tried with that patience
+SPARSE = 4  # with such patience, only every so many points of a range are tried
 
 
 def values_giving(query: Query, given: float, unknown: Unknown, study: Study) -> list[float]:
-    """Return the values of an unknown number that give a query's answer, from the usual range or else from beyond."""
+    """Return the values of an unknown number that give a query's answer, in the usual range or else beyond it."""
 
     def looked_for() -> list[float]:
         scene, path = study.scene, unknown.path
@@ -101,7 +101,7 @@ class PosedQuestion:
         return words.units.spell(KINDS[self.query.kind].measured(self.query).unit)
 
     def followed(self, motion: FollowedMotion) -> Followed:
-        """Return the answer with the motion that leads to the answer, or the reason why there is none."""
+        """Return the answer with the motion that leads to it, or the reason why there is none."""
         if self.compare != VALUE or self.varied is not None:
             return self._compared(motion)
         if self.less is not None:
@@ -198,7 +198,7 @@ def _between(asked: StructuredQuestion, motion: FollowedMotion, words: Words) ->
 
 
 def _difference(first: Followed, second: Followed) -> Followed:
-    """Return the difference of two answers; the one that is missing, if one is."""
+    """Return the difference of two answers, or the missing one if either is missing."""
     if first.answer is None or second.answer is None:
         return first if first.answer is None else second
     return first._replace(answer=first.answer - second.answer)

@@ -43,7 +43,7 @@ def level(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterat
 
 
 def sets_off(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the start, presuming that a body starts to move at once; before it, of what does not depend on motion."""
+    """Yield the start, presuming that a body starts to move at once; before it, for values independent of motion."""
     way = UNMOVED if side == BEFORE else SETS_OFF
     yield When("at start", ways=((subject_of(found, heard, subject), way),))
 
@@ -55,14 +55,14 @@ def stays_below(found: re.Match[str], heard: Heard, subject: str, side: str) -> 
 
 
 def orbited(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when a body has gone half way, or a quarter of the way, round the body that attracts it."""
+    """Yield the moment when a body has completed half or a quarter of its orbit."""
     del subject
     pair = " & ".join(heard.subject(found[key]) for key in "st" if found[key])
     yield When(f"{pair} orbited {180 if found['turns'] == 'half' else 90} deg", side)
 
 
 def under(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when a body that swings is straight below what carries it along a level line."""
+    """Yield the moment when a swinging body is vertically below its carrier on a level line."""
     del subject
     who = heard.subject(found["s"])
     yield When(f"{who} lowest point", side, ((who, f"{UNDER}{heard.subject(found['t'])}"),))
@@ -124,7 +124,7 @@ def multiple(found: re.Match[str], heard: Heard, subject: str, side: str) -> Ite
 
 
 def across(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the stop of a body that has passed the lowest point of its path, or where nothing accelerates the body."""
+    """Yield the stop of a body beyond the lowest point of its path, or at a point without acceleration."""
     who = subject_of(found, heard, subject)
     yield When(f"{who} stopped", side, ((who, ACROSS),))
     yield When("stopped", side, ((who, ACROSS), (who, STANDS)))
@@ -223,7 +223,7 @@ def heads(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterat
 
 
 def for_good(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment from which a body stays at rest: its last stop, or after a long time if a medium resists."""
+    """Yield the moment from which a body stays at rest: its last stop, or a late time if a medium resists."""
     who = subject_of(found, heard, subject)
     yield When(f"{who} halted", side)
     yield When(LONG, side, ((who, DIES_AWAY),))
@@ -242,13 +242,13 @@ def turns(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterat
 
 
 def nearest(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when two bodies are closest: of two on the ends of a spring, that of greatest compression."""
+    """Yield the moment when two bodies are closest: if a spring joins them, that of greatest compression."""
     yield from apsis("closest")(found, heard, subject, side)
     yield When("most compressed", side, (("", SPRUNG),), rank=LAST)
 
 
 def most_apart(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when two bodies are farthest apart: of two on the ends of a spring, when that is longest."""
+    """Yield the moment when two bodies are farthest apart: if a spring joins them, that of greatest extension."""
     yield from apsis("farthest")(found, heard, subject, side)
     yield When("most stretched", side, (("", SPRUNG),), rank=LAST)
 
@@ -262,7 +262,7 @@ def extreme_coordinate(found: re.Match[str], heard: Heard, subject: str, side: s
 
 
 def near_end(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment at which a body is nearest to the fixed end of its spring, if nothing else acts on it."""
+    """Yield the moment at which a body is nearest to the fixed end of its spring, if only the spring acts on it."""
     who = subject_of(found, heard, subject)
     spring = heard.subject(found["t"])
     ways = ((who, f"{HELD}{spring or FIXED_END}"), ("", CENTRAL))
