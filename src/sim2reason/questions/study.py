@@ -79,7 +79,7 @@ class Study(Memo):
         return None if scene is None else self.variant(scene, until)
 
     def likewise(self, values: Mapping[str, float]) -> "Study | None":
-        """Return the motion with other values, changed as this one and of the same duration and accuracy; None if it fails.
+        """Return the motion with other values, with the same change, duration and accuracy; None if it fails.
 
         None if there is none.
         """

@@ -19,11 +19,7 @@ LONGER = 7  # greatest number of doublings of the duration
 EXACT, ROUGH = 1e-9, 1e-5  # relative: accuracy of the threshold, and of one for mere comparison
 WRONG = 1e-3  # relative: accuracy of a threshold known to be wrong
 SAME = 5e-7  # relative: two closer thresholds are equal
-CLOSE, WIDER, WIDEST = (
-    0.004,
-    5.0,
-    5,
-)  # relative distance of the first search near a known threshold; its growth factor; number of steps
+CLOSE, WIDER, WIDEST = 0.004, 5.0, 5  # relative distance of the first search near a threshold; its growth; steps
 BENT = 2.0  # factor on the distance of a secant from a parabola about zero: margin of the search
 HALVED = 2  # guesses that should halve the bracket
 
@@ -150,7 +146,7 @@ class Trial:
         return low <= most and high >= least
 
     def close_to(self, about: float, within: float) -> float | None:
-        """Return the threshold within a relative distance of a number, if the outcome differs at its ends; else None."""
+        """Return the threshold within a relative distance of a number; None if the outcome is equal at the ends."""
         sides = {self(about * (1.0 - within), COARSE), self(about * (1.0 + within), COARSE)}
         return self.near(about) if sides == {True, False} else None
 

@@ -119,7 +119,7 @@ class SlidesThroughout(Regime):
         return found[0] is self.slides and (found[1] == self.course or not _ways(study.mechanism, self.name))
 
     def margin(self, study: Study, until: float) -> float | None:
-        """Return the slip velocity at the end, or early in the motion, relative to free fall; None without a direction."""
+        """Return the slip velocity at the end, or early on, relative to that of free fall; None without slip."""
         if not self.slides:
             return None
         end = max(_soon(study, until), until)

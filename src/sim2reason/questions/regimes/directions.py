@@ -42,7 +42,7 @@ class StartsAcute(Regime):
 
     @classmethod
     def possible(cls, study: Study, words: Words) -> Sequence[Self]:
-        """Return the regimes of strings, springs and rods; none of arms, whose direction depends on their masses, too."""
+        """Return the regimes of strings, springs and rods; none of arms, as their masses also show the direction."""
         held = study.mechanism.body
         extended = {name for name, body in held.items() if not body.mass or any(body.inertia)}
         return [cls(name) for name in words.called(cls.of) if name not in extended]

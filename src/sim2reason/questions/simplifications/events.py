@@ -45,7 +45,7 @@ class LaterRoot(OtherReading):
     sound_if_same = True  # then what is asked hangs on the place alone, and who takes energies never asks for the time
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole mechanism as the subject if the query is about a passage, which may occur twice; else none."""
+        """Return the whole mechanism as the subject if a passage is asked about, which may occur twice; else none."""
         del study
         return [""] if _is_passage(query.moment) else []
 
@@ -100,7 +100,7 @@ class NoEvents(OtherReading):
     reason = "the motion is taken to go on as it begins"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole mechanism as the subject if forces are constant and an event precedes the moment; else none."""
+        """Return the whole mechanism as the subject if forces are constant and an event occurs before; else none."""
         end = asked_until(query, study)
         changes = any(event.time > 0.0 for event in happened(study.trace.events, end))
         return [""] if changes and not changing(study.mechanism) else []

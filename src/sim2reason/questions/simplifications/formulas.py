@@ -31,7 +31,7 @@ class HalfForgotten(OtherReading):
     sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole mechanism as the subject if all bodies start from rest with constant accelerations; else none."""
+        """Return the whole mechanism as the subject if it starts from rest with constant accelerations; else none."""
         return [""] if is_steady(query, study) else []
 
     def read(self, study: Study) -> Study:
@@ -80,7 +80,7 @@ class MeanVelocity(OtherReading):
     sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole mechanism as the subject if all bodies start from rest with constant accelerations; else none."""
+        """Return the whole mechanism as the subject if it starts from rest with constant accelerations; else none."""
         return [""] if is_steady(query, study) else []
 
     def read(self, study: Study) -> Study:

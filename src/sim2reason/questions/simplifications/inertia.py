@@ -105,7 +105,7 @@ class ParallelAxisForgotten(ChangedMechanism):
     common = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole mechanism as the subject if a body turns about a fixed axis off its centre of mass; else none."""
+        """Return the whole mechanism as the subject if a body turns about a fixed off-centre axis; else none."""
         del query
         return [""] if _off_axis(study.mechanism) else []
 

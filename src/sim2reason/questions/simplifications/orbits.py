@@ -35,7 +35,7 @@ class CentripetalAcceleration(OtherReading):
     sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole mechanism as the subject if planets orbit a star and the query needs accelerations; else none."""
+        """Return the whole mechanism as the subject if planets orbit a star and accelerations matter; else none."""
         return [""] if asked_name(query) in ACCELERATIONS and orbits(study.mechanism) else []
 
     def read(self, study: Study) -> Study:
@@ -128,7 +128,7 @@ class NoMutualAttraction(ChangedMechanism):
     reason = "the attraction between the moving bodies is left out"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole mechanism as the subject if moving bodies attract each other beside a fixed one; else none."""
+        """Return the whole mechanism as the subject if moving bodies attract each other and a fixed one; else none."""
         del query
         mechanism = study.mechanism
         mutual = [_is_mutual(mechanism, pull) for pull in mechanism.attractions]

@@ -165,7 +165,7 @@ class StringsLeftOut(ChangedMechanism):
         return [""] if study.mechanism.strings else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with strings without tension, and small masses for massless bodies, so that they can fall."""
+        """Return the mechanism with strings without tension and, instead of massless bodies, very light ones."""
         del subject
         light = [body.name for body in mechanism.bodies if not body.mass and body.coordinates]
         mass = NEARLY_NOTHING * sum(body.mass for body in mechanism.bodies)

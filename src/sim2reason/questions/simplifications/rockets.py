@@ -85,7 +85,7 @@ class UniformGravity(ChangedMechanism):
     reason = "gravity is taken to be everywhere what it is at the start"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole mechanism as the subject if a rocket moves in the gravitation of one other body; else none."""
+        """Return the whole mechanism as the subject if a rocket is attracted by one other body; else none."""
         del query
         return [""] if len(study.mechanism.attractions) == 1 and study.mechanism.burns else []
 

@@ -27,7 +27,7 @@ def massive(mechanism: Mechanism) -> tuple[str, ...]:
 
 
 def others(mechanism: Mechanism) -> tuple[str, ...]:
-    """Return the names of the bodies with mass, if more than one can move or affects the motion; else none."""
+    """Return the bodies with mass that may affect others: all if more than one can move, else the fixed ones."""
     found = massive(mechanism)
     moving = [name for name in found if _can_move(mechanism, name)]
     return found if len(moving) > 1 else tuple(name for name in found if name not in moving)
