@@ -37,7 +37,7 @@ class Followed(NamedTuple):
 
 
 class FollowedMotion(NamedTuple):
-    """A scene with its motion, and the reason for a motion shorter than requested; otherwise an empty reason."""
+    """A scene with its motion, and the reason if the motion is shorter than requested."""
 
     study: Study
     limit: str = ""
@@ -108,7 +108,7 @@ def _followed(query: Query, begun: FollowedMotion) -> Followed:
 
 
 def _longer(study: Study) -> FollowedMotion:
-    """Return a scene's motion of `GROWTH` times the duration, which all queries about a study share."""
+    """Return a scene's motion with `GROWTH` times the duration, cached for all queries."""
     return study.once("longer motion", lambda: motion_of(study.scene, GROWTH * _end(study)))
 
 

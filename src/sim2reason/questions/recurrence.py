@@ -80,7 +80,7 @@ def drift_return(trace: Trace) -> float | None:
     way = trace.scan.a[int(np.argmax(sizes >= 0.5 * sizes.max()))] if idle else start.a[0]
 
     def excess(state: State) -> Array:
-        """Return the change of velocity since the start, or of acceleration from zero, projected on `way`, (n,)."""
+        """Return the velocity change, or the acceleration, projected on its initial direction, (n,)."""
         return (state.a if idle else state.v - start.v[0]) @ way
 
     def alike(here: State) -> bool:
@@ -183,11 +183,11 @@ def _first_return(trace: Trace, numbers: Sequence[int]) -> float | None:
     turned = hinges & (not any(line.wheels for line in mechanism.lines))  # unless a line is wound up
 
     def gone(state: State) -> Array:
-        """Return how far from the start."""
+        """Return the change of the coordinates since the start, (n, c)."""
         return state.q[:, number] - start.q[0, number]
 
     def excess(state: State) -> Array:
-        """Return how far it has gone the way that it went at first, or how fast it goes it."""
+        """Return the displacement, or the velocity, projected on its initial direction, (n,)."""
         return (np.where(turned, np.sin(gone(state)), gone(state)) if moves else state.v[:, number]) @ way
 
     def alike(here: State) -> bool:

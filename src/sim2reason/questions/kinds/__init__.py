@@ -150,7 +150,7 @@ class Kind(ABC):
         del asked, study, words
 
     def late_answer(self, query: Query) -> float | None:
-        """Return the limit of an answer for ever later moments: inf for times; else, by default, None."""
+        """Return the limit of the answer for ever later moments: inf for times; by default None for other answers."""
         return inf if self.measured(query).name == "time" else None
 
     def time(self, query: Query, study: Study) -> float | None:

@@ -37,7 +37,7 @@ class AcrossField(FieldPassage):
         return len(acts.electric) == 1 and acts.electric[0].profile.steady and not acts.medium
 
     def does(self, words: Words) -> Verb:
-        """Return *moves … again* for a body that is launched perpendicular to the field."""
+        """Return the verb, with *again* for a body that is launched perpendicular to the field."""
         mechanism = words.mechanism
         way = _field_direction(mechanism, self.name)
         own = mechanism.body[self.name].coordinates

@@ -1,4 +1,4 @@
-"""Readers of clauses that name a moment by a place, by a state of a spring, by the start, or by a multiple."""
+"""Readers of clauses that name a moment by a position, by a state of a spring, by the start, or by a multiple."""
 
 import re
 from collections.abc import Iterator
@@ -118,7 +118,7 @@ def from_origin(found: re.Match[str], heard: Heard, subject: str, side: str) -> 
 
 
 def multiple(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when a quantity is a multiple of what it is at the start."""
+    """Yield the moment when a quantity is a multiple of its initial value."""
     who, find = subject_of(found, heard, subject), meant(QUANTITIES, found["q"])
     yield When(f"{find} of {who} = {FACTORS[found['times'].split()[0]]}{TIMES}", side)
 
@@ -131,7 +131,7 @@ def across(found: re.Match[str], heard: Heard, subject: str, side: str) -> Itera
 
 
 def begun(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the start; a lift-off only where the body lifts off at once."""
+    """Yield the start; for a lift-off only if the body lifts off at once."""
     if LIFT_OFF.search(found[0]) is not None or LIFT_OFF.search(heard.text) is not None:
         yield When("at start", ways=((subject, SETS_OFF),))
     else:
@@ -175,7 +175,7 @@ def natural(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iter
 
 
 def parallel(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the first moment after the start when a body moves along an axis, one way or the other."""
+    """Yield the first moment after the start when a body moves parallel to an axis, in either direction."""
     other = "y" if found["axis"] == "x" else "x"
     yield When(f"velocity of {subject_of(found, heard, subject)} along {other} = 0 m/s", side)
 
@@ -208,7 +208,7 @@ def fraction(found: re.Match[str], heard: Heard, subject: str, side: str) -> Ite
 
 
 def lost_share(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when a fraction of a quantity has been lost, of what it was at the start."""
+    """Yield the moment when a quantity has lost a fraction of its initial value."""
     who, find = subject_of(found, heard, subject), meant(QUANTITIES, found["q"])
     yield When(f"{find} of {who} = {1.0 - float(FRACTIONS[found['times']]):.12g}{TIMES}", side)
 

@@ -91,7 +91,7 @@ def _drawn(case: Case) -> bool:
 
 
 def borne(who: str, on: str, words: Words) -> bool:
-    """Return whether another body carries a body, or whether a body hangs on a string that runs over a pulley."""
+    """Return whether a body is carried by another one, or hangs on a string that runs over a pulley."""
     mechanism, name = words.mechanism, named(who, words)
     address = _address(on, words)
     if not name:

@@ -10,7 +10,7 @@ from sim2reason.simulation.trace import Trace
 
 
 def circles(mechanism: Mechanism, name: str) -> bool:
-    """Return whether a body turns about a single fixed axle, or hangs on a string from a fixed point."""
+    """Return whether a body turns about a single fixed axle, or is held by a string to a fixed point."""
     kinds = [c.kind for body in chain(mechanism, name) for c in body.coordinates]
     return kinds == ["hinge"] or _hangs(mechanism, name)
 
