@@ -68,7 +68,7 @@ class Moment(ABC):
 
     @property
     def tells(self) -> tuple[Channel, ...]:
-        """Return the channels that the words of the moment reveal, so that no question asks for them; none by default."""
+        """Return the channels that the words of the moment reveal, so that none is asked for; empty by default."""
         return ()
 
     @property
