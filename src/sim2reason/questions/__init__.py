@@ -80,7 +80,7 @@ class Question:
 class ParsedQuestion:
     """The meaning of a parsed sentence: its query and, if the sentence states one, the given result.
 
-    `assumed` is what it says of the motion beforehand.
+    `assumed` are its assumptions about the motion.
     """
 
     mode: str
@@ -130,7 +130,7 @@ class QuestionMode(ABC):
     ) -> Question | None:
         """Return a question about a motion that passes the predicate `suits`; None if the mode finds none.
 
-        What suits is looked at before an answer is worked out that costs much.
+        The predicate is tested before costly computations of an answer.
         """
 
     def asking(self, query: Query, study: Study, words: Words, rng: np.random.Generator) -> Question | None:

@@ -27,7 +27,7 @@ Values = Callable[[Array], Array]
 def hangs_on(moment: Moment, trace: Trace, time: float, values: Values) -> bool:
     """Return whether a value differs clearly within the intervals beside a moment, or jumps at the moment.
 
-    Else whoever asks for it at another moment gives the same answer, so that the moment decorates the question.
+    Otherwise a question at another moment has the same answer, so that the moment is irrelevant.
     """
     here = float(values(np.array([moment.side(time)]))[0])
     before, after = _between(trace, time)
@@ -111,8 +111,8 @@ def still(trace: Trace, speeds: Array) -> float:
 def bears_from(trace: Trace) -> float:
     """Return the time, s, from which all given data can affect the motion; infinite if they never do.
 
-    Where bodies can collide, that is when all have that ever do; where fuel burns, the end of it; where a field has
-    borders, the first crossing of one; where what swings on a string leaves its circle, when the string goes slack.
+    If bodies can collide, all bodies that ever do must have collided; fuel must be used up; the first boundary of a
+    field must have been crossed; and a string that goes slack must have done so.
     """
     mechanism, waits = trace.mechanism, [burn.until for burn in trace.mechanism.burns]
     if mechanism.meetings:

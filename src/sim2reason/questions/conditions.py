@@ -33,7 +33,7 @@ class Scan:
     ) -> None:
         """Prepare the search; `margin` is the smallest significant difference between an answer and the given result.
 
-        Where it differs by far, that of a `coarse` dependence, which costs less, is enough.
+        Where the answer is far from the given result, the cheaper `coarse` dependence suffices.
         """
         rate = dependence.rate(root)
         self._dependence, self._coarse, self._root, self._given = dependence, coarse or dependence, root, given
@@ -43,9 +43,8 @@ class Scan:
     def another(self, values: Sequence[float]) -> float | None:
         """Return a number whose answer may equal the given result or lies on the wrong side; None if there is none.
 
-        One that has its answer later than its motion is followed, if it has any, could be, too.
-        Looked for at all `values`, towards the borders of where there is an answer, at the bottom of each dip, and
-        between values over which the answer swings.
+        A number whose answer may lie beyond the end of the simulation counts as well. Candidates are all `values`,
+        limits of the range with an answer, minima of dips, and midpoints of intervals in which the answer oscillates.
         """
         return next((at for at in self._tried(values) if self._could_be(at)), None)
 
@@ -57,7 +56,7 @@ class Scan:
     def far(self, values: Sequence[float]) -> float | None:
         """Return one of some distant numbers whose answer is not clear of the given result; None if there is none.
 
-        Nothing is looked for between them, nor is it waited for: beyond another root answers are on the wrong side.
+        Intermediate values are not tested: beyond another root all answers are on the wrong side.
         """
         clear = ((at, self._clear(at)) for at in values)
         return next((at for at, by in clear if by is not None and by <= 1.0), None)
@@ -65,7 +64,7 @@ class Scan:
     def end(self, values: Sequence[float]) -> float | None:
         """Return an end of the range of `values` beyond which extrapolation suggests another root; None if neither.
 
-        Where a range ends no text says, and who looks a little farther finds that root, too.
+        No text states the end of the range, and a reader who searches a little farther finds that root, too.
         """
         for last, before in ((values[0], values[1]), (values[-1], values[-2])):
             here, inside = self._clear(last), self._clear(before)
@@ -149,7 +148,7 @@ class Scan:
     def _turning_points(self) -> Iterator[float]:
         """Yield midpoints of neighbouring numbers that have different courses of events.
 
-        Where there is none halfway, those towards the borders of where there is one.
+        If a midpoint has no answer, numbers that approach the limits of the range with an answer follow.
         """
         pairs = list(pairwise(sorted({*self._known, self._root})))
         for _ in range(CLOSER):

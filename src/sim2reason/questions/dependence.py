@@ -109,7 +109,7 @@ class Dependence:
     def _followed(self, value: float, scene: Scene, stages: Sequence[float]) -> float | None:
         """Return the answer for a value, found by simulations of increasing duration.
 
-        What can not be followed any longer is as late as what is not: something may come yet.
+        If the simulation fails at some duration, the answer may still exist at a later time.
         """
         kind = KINDS[self._query.kind]
         query = kind.expecting(self._query, self._likely(value) if self._likely is not None else 0.0)
@@ -134,7 +134,7 @@ class Dependence:
     def _lying(self, study: Study) -> float | None:
         """Return the answer at a stated time by which a body has landed, for values that remain valid then; else None.
 
-        So far as it lasts: lengths, and what a stretch of motion adds up to. Speeds and forces are another motion's.
+        Lengths and totals of an interval remain valid after the landing; speeds and forces do not.
         """
         moment, end = self._query.moment, study.trace.stable_until * (1.0 - SAME_TIME)
         lasts = isinstance(self._query, StretchQuery) or KINDS[self._query.kind].measured(self._query).unit == "m"
@@ -189,8 +189,7 @@ class Dependence:
     def solved(self, value: float, near: float) -> float | None:
         """Return the number with answer `value`, by secants that begin at one end; None if they do not converge.
 
-        Where the answer is good to `EXACT`, one more secant leads to the number, which without it a weak dependence
-        would leave the worse known; that step is so short that what it leads to need not be tried.
+        When the answer is accurate to `EXACT`, one more secant step, which need not be verified, improves the number.
         """
         a, b = near, near * (1.0 + STEP)
         fa, fb = self._excess(a, value), self._excess(b, value)
@@ -259,7 +258,7 @@ def towards_border(dependence: Callable[[float], float | None], one: float, othe
 def roots(dependence: Dependence, values: Sequence[float], given: float) -> list[float]:
     """Return all roots, with answer `given`, between neighbouring `values` with answers on its two sides.
 
-    Between a value that has an answer and one that has none the last ones that do are looked for, too.
+    Limits between values with and without an answer are located by bisection and included in the search.
     """
     coarse = dependence.coarser(COARSE)
     tried = sorted({*values, *(at for pair in pairwise(values) for at in towards_border(coarse, *pair))})

@@ -36,7 +36,7 @@ _SAME = re.compile(rf"\b(?:both|all) (?:in (?P<unit>\S+?)|{AS_WHOLE}|{AS_PURE})(
 class PartPrompt:
     """The parts of a prompt: the scene, the questions, and the units of their answers in words.
 
-    A unit is `AS_WHOLE` for what is counted and `AS_PURE` for a number without one.
+    A unit is `AS_WHOLE` for a count and `AS_PURE` for a dimensionless number.
     """
 
     scene: str

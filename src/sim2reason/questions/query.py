@@ -71,8 +71,8 @@ class Target:
 class Noun:
     """The words for a target: a noun phrase and, for some, a question, a clause and a statement.
 
-    `how` keeps its placeholder ``{when}``, and `states` keeps ``{value}``; what is `timeless` is asked without a
-    moment, and what is called something `over` a stretch is asked from the start to the moment.
+    `how` keeps its placeholder ``{when}``, and `states` keeps ``{value}``. A `timeless` target is asked for without a
+    moment; a target with a phrase `over` an interval is asked for from the start to the moment.
     """
 
     phrase: str
@@ -167,8 +167,7 @@ def _told(quantity: Quantity, name: str, words: Words) -> bool:
 def _of_subject(asked: list[Quantity], name: str, words: Words) -> Iterator[tuple[Target, Noun]]:
     """Yield targets of one subject: magnitudes, then components along the text's axes, then fixed directions.
 
-    Where the question would have to say which way is positive, it would tell the way: the size is asked for, if there
-    are words for it.
+    If a stated positive sense would reveal the direction, the magnitude is asked for instead.
     """
     if not asked:
         return

@@ -114,7 +114,7 @@ def ends_at_rest(trace: Trace) -> bool:
 def rest_for_good(trace: Trace) -> float | None:
     """Return the time, s, from which everything stays at rest; None if there is none in the simulated motion.
 
-    Of what comes to rest without an event, ever more slowly, that is the end of what is known.
+    For a motion that decays without an event, it is the end of the simulated motion.
     """
     if not ends_at_rest(trace):
         return None
@@ -170,7 +170,8 @@ def flies_off(trace: Trace, name: str) -> bool:
 def _first_return(trace: Trace, numbers: Sequence[int]) -> float | None:
     """Return the first time, s, at which given coordinates and their velocities recur, up to full turns of hinges.
 
-    Then a sum of the coordinates that grows at the start, or of the velocities of what begins at rest, does so again.
+    Candidates are zero crossings of the coordinates, or of the velocities of a motion that starts from rest, projected
+    on their initial direction.
     """
     mechanism, start, number = trace.mechanism, trace.at(0.0), list(numbers)
     hinges = np.array([mechanism.coordinates[n].kind == "hinge" for n in number], dtype=np.bool_)

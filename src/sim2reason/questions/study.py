@@ -69,7 +69,7 @@ class Study(Memo):
     def variant(self, scene: Scene, until: float | None = None, error: float = COARSE) -> "Study | None":
         """Return a changed scene with its motion until a time, s, by default as long as this one; None if it fails.
 
-        `error` is what a step may err by, relative.
+        `error` is the relative error allowed in an integration step.
         """
         return self._followed((scene, error), lambda: (scene, scene.mechanism, None), until, error)
 
@@ -152,8 +152,7 @@ STILL = 1e-9  # of the largest change: smaller changes are zero
 def ways(study: Study, time: float) -> tuple[float, ...]:
     """Return the sign of each coordinate's change by a time, s, or of its beginning, and whether it reverses then.
 
-    In between, a magnitude passes through zero, or a pendulum that turns becomes one that goes over the top, and
-    between them takes for ever.
+    Between motions with different results a magnitude passes through zero, or a swing becomes a full turn.
     """
     start, end = study.trace.at(0.0), study.trace.at(time)
     changes = end.q[0] - start.q[0] if time else start.a[0]

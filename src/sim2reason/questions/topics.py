@@ -25,7 +25,7 @@ TOPICS: tuple[Topic, ...] = get_args(Topic)
 def irrelevant(question: Question, study: Study, among: Collection[Topic] = TOPICS) -> frozenset[Topic]:
     """Return the topics that do not matter to a question, so that the text may omit their sentences.
 
-    Of what the text leaves open, only what is so for all that its numbers could be counts.
+    With an unknown number, a topic is irrelevant only if it is for all usual values of the number.
     """
     return frozenset(topic for topic, matters in MATTERS.items() if topic in among and not matters(question, study))
 

@@ -86,7 +86,7 @@ class Trial:
     def changes_at(self, value: float, *, above: bool, error: float = FINEST) -> bool:
         """Return whether the outcome occurs just above a value and not just below it, or the reverse.
 
-        `error` is what a step may err by, up to what still tells these sides apart.
+        `error` is the error allowed in an integration step, reduced if necessary to resolve the two sides.
         """
         error = min(error, ENOUGH)
         return self(value * (1.0 + SAME), error) is above and self(value * (1.0 - SAME), error) is (not above)
@@ -94,7 +94,7 @@ class Trial:
     def rough_change(self, *, above: bool, error: float = FINEST) -> float | None:
         """Return the threshold, if a coarse grid shows a single one with the sense `above`; else None.
 
-        `error` is what a step may err by; where that is much, it is not closed in on as far.
+        `error` is the error allowed in an integration step; a large one also lowers the accuracy of the result.
         """
         turn = self._roughly()
         if turn is None or self(turn[1], COARSE) is not above:
@@ -104,7 +104,7 @@ class Trial:
     def usual_change(self) -> float | None:
         """Return the threshold in the usual range, if a coarse grid shows a single one; else None.
 
-        Whether there are others between these points, `changes_only_at` says; to look at all costs far more.
+        There may be others between the points of the grid; `changes_only_at` tests that at a higher cost.
         """
         turn = self._roughly()
         if turn is None or not self._is_usual(*turn):
@@ -167,7 +167,7 @@ class Trial:
     def between(self, low: float, high: float, exact: float = EXACT, error: float = FINEST) -> float | None:
         """Return the threshold between two numbers; None if the outcome does not differ or a motion fails.
 
-        Where the outcome tells on one side how far it is from the change, by secants from that side, else by halving.
+        Secants are used on a side on which the distance from the threshold is known, bisection otherwise.
         """
         below = self(low, error)
         if {below, self(high, error)} != {True, False}:

@@ -18,22 +18,22 @@ from sim2reason.simulation.trace import Trace
 class Functional(ABC):
     """The base class of functionals: numbers of one subject that depend on the motion from its start to a moment.
 
-    What it is:
+    Definition:
         name, unit: the unit is canonical SI, empty for a pure number.
-        kind: the kind of question that asks for it.
-        of: the kind of subject that it belongs to.
-        least: the smallest answer that is one, in the unit.
+        kind: the kind of question that asks for the functional.
+        of: the kind of subject.
+        least: the smallest admissible answer, in the unit.
 
-    How it is phrased; templates name the subject by its slot, and may use what it fills besides, such as ``{ground}``:
+    Templates, with placeholders for the subject and for texts of its own, such as ``{ground}``:
         phrase: the noun phrase.
-        how: a question of its own, with ``{when}``; none if empty.
-        indirect: the same as a clause: *how far … moves*.
-        center: whether it belongs to one point of its subject, the centre of mass of what has a size.
+        how: a question, with ``{when}``; empty for none.
+        indirect: the same question as a clause: *how far … moves*.
+        center: whether the functional belongs to the centre of mass of an extended subject.
 
-    When it is asked:
-        weight: how often, compared with others of its kind.
-        drawn_by_recipes: whether recipes ask for it; if not, only people do.
-        needs: what its subject must have and the text must say, such as ``mass``.
+    Use in questions:
+        weight: relative frequency within the kind.
+        drawn_by_recipes: whether recipes ask for the functional; if not, only people do.
+        needs: numbers that the subject must have and the text must state, such as ``mass``.
     """
 
     name: ClassVar[str]

@@ -42,15 +42,15 @@ class Kind(ABC):
 
     Class data:
         name: under which it is registered.
-        share: how often it is asked, compared with other kinds; positive, or it could not be registered.
-        of_symbols: whether an answer is a function of the text's symbols, none of which it leaves unknown.
-        whole: whether answers are whole numbers.
-        awaited: whether the motion brings an answer about in its own time, though no moment is named.
-        derivable: whether it is asked only where some worked solution leads to the answer without any integration.
-        costly: whether it is asked by its weight alone, not in place of others: most take many motions to draw.
-        beyond_laws: whether more than laws and their formulas leads to an answer, as a derivative or a limit does.
-        hides: whether its questions leave a number of the text open, which other questions about it may need.
-        names_one: whether its answers name one of two things beside a number, so that only options can ask for them.
+        share: relative frequency among all kinds; positive.
+        of_symbols: whether the answer is a function of the text's symbols alone.
+        whole: whether answers are integers.
+        awaited: whether the answer depends on an unnamed later time of the motion, such as its period.
+        derivable: whether questions require a worked solution without integration.
+        costly: whether the kind is drawn by its share only, never as a substitute, as it needs many simulations.
+        beyond_laws: whether a solution needs more than laws and formulas, such as a derivative or a limit.
+        hides: whether questions leave a number of the text open.
+        names_one: whether answers name one of two candidates besides a number, so that they need options.
     """
 
     name: ClassVar[str]
@@ -134,7 +134,7 @@ class Kind(ABC):
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
         """Yield all queries that a sentence may express, from its numbers and names; `targets` are those it names.
 
-        Which one it does ask, `shapes` tells: it must give that sentence, word for word.
+        The query whose `shapes` contain the sentence, word for word, is the correct one.
         """
 
     def finds(self, words: Words) -> tuple[str, ...]:
@@ -164,8 +164,8 @@ class Kind(ABC):
     def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
         """Return a short reason why the answer is not certified; empty if it is.
 
-        By default its channels must be certified from the start to its time. The certificate is None if no second
-        engine was heard.
+        By default its channels must be certified from the start to its time. The certificate is None if there is no
+        second engine.
         """
         return doubt(certificate, self.time(query, study), query.moment, self.channels(query))
 
@@ -185,7 +185,7 @@ class ValueKind(Kind):
     """The base class of kinds that ask for a quantity at a moment; each moment declares its kind.
 
     Class data:
-        timeless: whether it is the kind that asks for what never changes, and then names no moment.
+        timeless: whether the kind asks for constant quantities, without a moment.
     """
 
     timeless: ClassVar[bool] = False

@@ -55,8 +55,8 @@ class StartKind(ValueKind):
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
         """Return a query for a nonzero quantity at the start, or for a constant one; None if there is none.
 
-        None where the text gives what can not bear on it yet, fuel or a speed that changes no equation, and where it
-        is Newton's second law in one line.
+        None if the text gives irrelevant data, such as fuel or a speed that no equation contains, or if the answer
+        follows from Newton's second law in one line.
         """
         mechanism, trace = study.mechanism, study.trace
         if not drawn(self.moments(), study, words, rng) or mechanism.burns:

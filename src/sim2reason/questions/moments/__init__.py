@@ -19,13 +19,13 @@ class Moment(ABC):
     """The base class of moments; subclasses are frozen dataclasses.
 
     Class data:
-        kind: the kind of question that asks for quantities at it.
-        label: what items record as `asked.event`; None for a time that is stated.
-        drawn_by_recipes: whether recipes ask about it; if not, only people do.
-        event: whether it is an event of the engines, which both must see; else its channels must be certified.
-        own: whether it is of its own subjects that quantities are asked at it first, as at a collision.
-        pronoun: what may stand for its `subject` in a sentence that has named it.
-        part: whether that subject may be the centre of a body, by whose name alone it is known, too.
+        kind: the kind of question that asks for quantities at the moment.
+        label: the value of `asked.event` in items; None for a stated time.
+        drawn_by_recipes: whether recipes ask about the moment; if not, only people do.
+        event: whether both engines must record the moment as an event; if not, its channels must be certified.
+        own: whether questions prefer quantities of the moment's own subjects, as at a collision.
+        pronoun: the pronoun for the `subject` in a sentence that has named it.
+        part: whether the subject may be the centre of a body, which the body's name also denotes.
     """
 
     kind: ClassVar[str]
@@ -134,7 +134,7 @@ class Moment(ABC):
 class Clause:
     """The parts of a clause, as a question and as a statement: *does A first stop*, *A first stops*.
 
-    What takes time says so, too: *to move 0.50 m*.
+    `takes` is an infinitive for events that take time: *to move 0.50 m*.
     """
 
     subject: str

@@ -40,7 +40,7 @@ class Away(DistanceThreshold):
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
         """Return a moment with a random distance; none for a projectile, whose range and height are asked for instead.
 
-        Seldom one in fields that turn the velocity, where how far that has turned tells more.
+        In fields that turn the velocity the moment is rare, as the angle of the velocity is more instructive.
         """
         mechanism = study.mechanism
         thrown = only_falls(mechanism) and mechanism.gravity != ZERO
@@ -116,8 +116,8 @@ ABOVE = {UP: "above", OPPOSITE[UP]: "below"}
 class Moved(DistanceThreshold):
     """The moment when a body has moved a stated distance along a straight line.
 
-    What collides may have turned back in a collision: it is spoken of by its distance from where it started. Symbols do
-    not say either whether what may turn back does so before, nor on which side of its starting point it is then.
+    If the body may turn back, in a collision or in a text with symbols, the phrase states its distance from the
+    starting point instead; with symbols also its side.
     """
 
     towards: int = 0  # 1 or −1: on which side of its starting point it is, along the sense of its line; 0: on either

@@ -135,8 +135,8 @@ class AtTime(Moment):
 class WholeMotion(Moment):
     """The end of the first period of a motion, or the time from which everything is at rest for good.
 
-    For quantities that do not depend on positions, it is also the instant from which all moves uniformly for ever.
-    A motion that `ends` may also end where its description does. Recipes only ask about one that repeats itself.
+    For quantities that do not depend on positions, it is also the time from which all motion is uniform. A motion that
+    `ends` may also end with the simulation. Recipes only ask about periodic motions.
     """
 
     kind = "extremum"

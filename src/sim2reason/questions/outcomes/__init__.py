@@ -25,8 +25,8 @@ class PossibleOutcome(ABC):
 
     Class data:
         of: the kind of subject.
-        tells: on which side of where the outcome changes the motion tells how far that is: where it happens, or not.
-        drawn_by_recipes: whether recipes ask about it; if not, only people do.
+        tells: the side of the threshold on which `excess` is defined: with the outcome (True) or without it.
+        drawn_by_recipes: whether recipes ask about the outcome; if not, only people do.
     """
 
     drawn_by_recipes: ClassVar[bool] = True
@@ -61,7 +61,7 @@ class PossibleOutcome(ABC):
     def excess(self, trace: Trace) -> float | None:
         """Return a function of the motion that goes to zero at the threshold, on the side that `tells`; else None.
 
-        It only saves trials: whether the outcome happens decides where it changes.
+        It only speeds up the search; the outcome itself decides about the threshold.
         """
         del trace
 

@@ -22,9 +22,9 @@ class Regime(ABC):
 
     Class data:
         of: the kind of subject.
-        at_start: whether it is of where things are at the start, whatever they are and come to do.
-        stage: whether its clause is about the start (0), all the time from there on (1), or what is so at the end (2).
-        unseen: whether it may end though no sum in a formula turns its sign there; then that is looked for by `margin`.
+        at_start: whether the assumption concerns the initial positions only.
+        stage: the time of the clause: the start (0), the whole interval (1) or its end (2).
+        unseen: whether the regime may end without a change of sign in a formula; its `margin` then shows the end.
     """
 
     of: ClassVar[Subject]
@@ -61,7 +61,7 @@ class Regime(ABC):
     def margin(self, study: Study, until: float) -> float | None:
         """Return the distance of a motion from a violation up to a time, s, relative to the effect of weights; or None.
 
-        In any unit, since it only says which way leads there. By default nothing tells.
+        The unit is arbitrary, as only changes of the value matter. By default None.
         """
         del study, until
 

@@ -92,7 +92,7 @@ SOON = 1e-3  # of the time asked about, or s: time in which a released body begi
 class SlidesThroughout(Regime):
     """The assumption that a body slides on a rough face from the start on, or never does.
 
-    Where words tell its way, it turns back at most once.
+    A body whose direction is in words turns back at most once.
     """
 
     of = Contacts()
@@ -130,9 +130,9 @@ class SlidesThroughout(Regime):
     def clause(self, words: Words) -> str:
         """Return a clause such as *block A slides to the right on the plank*.
 
-        What is not released at rest may slide for a while only: it keeps sliding. One that turns back has done so by
-        the end: block A first slides up the slope, turns back once and is sliding down it by then. Of what rolls, only
-        the slip reverses.
+        A body that is not released from rest *keeps sliding*. A body that turns back has done so by the end: *block A
+        first slides up the slope, turns back once and is sliding down it by then*. A rolling body only reverses its
+        slip.
         """
         surface, called = words.fills(self.of, self.name)["surface"], words.called(self.of)[self.name]
         rolls = len(words.mechanism.contacts[self.name].slip) > 1

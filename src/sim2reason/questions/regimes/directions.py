@@ -131,7 +131,7 @@ class MovesOneWay(Regime):
     def clause(self, words: Words) -> str:
         """Return a clause such as *block A moves down the slope*, or *keeps moving* if it may turn or stop.
 
-        What a collision may send off, too, moves only that way.
+        A body that may collide *moves only* in that direction.
         """
         kept = "moves only" if words.mechanism.meetings else "keeps moving" if words.turns_back else "moves"
         return f"{words.called(self.of)[self.name]} {self.motion.replace('moves', kept, 1)}"

@@ -23,7 +23,7 @@ THEN = 1e-9  # relative: a moment closer to burn-out coincides with it
 class BurntOut(Regime):
     """The assumption that all fuel is used up before the moment asked about, or that it is not.
 
-    What may come down again has not done so: its motion ends there, but not what a symbol for a time may stand for.
+    A rocket that may come down again has not yet done so, as the simulated motion ends there.
     """
 
     of = Bodies()

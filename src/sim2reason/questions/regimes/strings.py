@@ -55,7 +55,7 @@ class StaysTaut(Regime):
     def always_told(self, study: Study) -> bool:
         """Return True if the text mentions slackness, or the string is alone beside a spring or a hand.
 
-        These may drive one end faster than the load at the other can follow, and no symbol says when.
+        Springs and hands may drive one end faster than the load at the other can follow.
         """
         owner = self.name.partition(".")[0]
         slackens = any(named.entity.slackens for named in study.scene.entities if named.name == owner)

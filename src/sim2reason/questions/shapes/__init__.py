@@ -28,9 +28,9 @@ class PromptShape(ABC):
     """The base class of prompt shapes.
 
     Class data:
-        name: under which it is registered.
-        share: how often it is drawn, compared with the other shapes that a text can have; positive.
-        marked: whether words of its own tell it; what is not marked is tried last when a prompt is read.
+        name: the registered name.
+        share: relative frequency among the shapes that suit a text; positive.
+        marked: whether the shape has characteristic words; the parser tries unmarked shapes last.
     """
 
     name: ClassVar[str]

@@ -18,15 +18,14 @@ class Simplification(ABC):
     """The base class of misconceptions.
 
     Class data:
-        name: under which it is registered and reported.
-        reason: what is wrong, a sentence about ``{subject}``.
-        part: whether it takes a part of the scene away, so that an answer which stays shows a part without bearing;
-            else it is a mistake about the physics of a part that bears.
-        holds: whether its subject no longer moves, so that a question about that one has no answer any more.
-        misleads: whether anybody would make it, so that the answer it leads to is one that a student could give.
-        sound_if_same: whether nobody errs who makes it where the answer stays what it is: an approximation that holds,
-            or a choice that need not be made.
-        common: whether it refuses many questions for the time that it takes, so that it is tried before the others.
+        name: the registered name, which reports use.
+        reason: a statement of the error, with the placeholder ``{subject}``.
+        part: whether a part of the scene is removed, so that an unchanged answer shows that the part is irrelevant;
+            if not, the physics of a relevant part is wrong.
+        holds: whether the subject no longer moves, so that questions about it have no answer.
+        misleads: whether students make the error, so that its answer is a plausible distractor.
+        sound_if_same: whether the assumption is correct if the answer is unchanged, as a valid approximation is.
+        common: whether the misconception rejects many questions at little cost, so that it is tried first.
     """
 
     name: ClassVar[str]
@@ -41,7 +40,7 @@ class Simplification(ABC):
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
         """Return the subjects of the misconception for a query about a motion: names of parts of the mechanism.
 
-        An empty name stands for the whole.
+        An empty name denotes the whole mechanism.
         """
 
     @abstractmethod

@@ -41,11 +41,11 @@ PLACELESS = frozenset(
 
 
 class Extreme(Functional):
-    """The greatest or least value of a function of the state, which must be positive.
+    """The base class of greatest and least values of a function of the state; answers are positive.
 
-    There is no answer if the function is greatest at an end of the stretch, at an event, or on a plateau: only a smooth
-    maximum within the stretch counts, so that no question depends on the side of a jump or can be read off the text. A
-    force or an acceleration has no greatest value in a stretch with an impact.
+    There is no answer if the function is greatest at an end of the interval, at an event, or on a plateau: only a
+    smooth maximum within the interval counts, so that no answer depends on the side of a jump or is stated in the text.
+    A force or an acceleration has no greatest value in an interval with an impact.
 
     Class data:
         quantity: the quantity to maximize or minimize, by magnitude if it is a vector or has a sign.
@@ -159,7 +159,7 @@ class Extreme(Functional):
 def _tops(heights: Array) -> tuple[NDArray[np.intp], float]:
     """Return the local maxima of samples that may lie at the highest maximum, and an estimate of its value.
 
-    Parabolas through each three samples tell; of two equal samples with a top between them both may count.
+    Maxima are estimated by parabolas through three samples; two equal samples around a maximum may both be returned.
     """
     before, here, after = heights[:-2], heights[1:-1], heights[2:]
     size = FLAT * np.abs(here)

@@ -48,7 +48,7 @@ class EventCount(Functional):
     """The base class of counts of events from the start to a moment, inclusive.
 
     Class data:
-        fewest: from how many on it is asked; two is what most people would guess.
+        fewest: the smallest count asked for; two would be easy to guess.
     """
 
     kind, unit, least = "count", "", 1.5

@@ -48,8 +48,8 @@ class StretchKind(Kind):
     """The base class of kinds that ask for a functional from the start to a moment; each functional declares its kind.
 
     Class data:
-        ends_matter: whether the answer hangs on where the stretch ends. Where it does not, no stated number may say
-            that; where it does, and is no whole number, another end must change it.
+        ends_matter: whether the answer depends on the end of the interval. If it does not, no stated number may give
+            the end; if it does, and is not an integer, another end must change the answer.
     """
 
     ends_matter: ClassVar[bool] = True

@@ -63,7 +63,7 @@ class VerbHappening(Happening):
     """The base class of events with a subject and a verb.
 
     Class data:
-        verb: what the subject does.
+        verb: the verb of the event.
     """
 
     verb: ClassVar[Verb]
@@ -79,9 +79,9 @@ class Occurrence(VerbHappening):
     """The base class of events recorded by the engines, each with a subject and a number.
 
     Class data:
-        kinds: of the engines' events.
+        kinds: the kinds of events of the engines.
         of: the kind of subject.
-        most: up to which of one subject's it is asked about; 0 if it happens but once.
+        most: the greatest number of a subject's event that questions ask about; 0 for a unique event.
     """
 
     event = True

@@ -30,7 +30,7 @@ class Passage(VerbHappening):
 
     Class data:
         of: the kind of subject.
-        hangs_on: the quantity, by name, that both engines must agree on.
+        hangs_on: the name of the quantity that must be certified.
     """
 
     of: ClassVar[Subject]

@@ -85,10 +85,10 @@ SAME = 1e-6  # relative to the range of values: smaller differences are rounding
 class Peak(Passage):
     """The base class of the first maximum of a function, if it is the greatest value of the simulated motion.
 
-    A motion that begins there has none that anybody would call the first.
+    A motion that begins at the maximum has no first maximum.
 
     Class data:
-        above: what it must exceed there, as an extension must zero.
+        above: a lower bound of the maximum, such as zero for an extension.
     """
 
     above: ClassVar[float] = -inf
@@ -127,7 +127,7 @@ class Apsis(Peak):
     """The base class of the moments when the distance of two attracting bodies is least or greatest.
 
     Class data:
-        most: which of the two it is, as the text says it of one that moves about another.
+        most: *least* or *greatest*, for the distance from a fixed body.
     """
 
     most: ClassVar[str]
@@ -185,7 +185,7 @@ class SpringTurn(Peak):
     """The base class of the moments when a spring is stretched or compressed the most.
 
     Class data:
-        local_verb: what it does there if it may be stretched, or compressed, more at a later time.
+        local_verb: the verb if the spring may be stretched, or compressed, more at a later time.
     """
 
     own = True
@@ -224,7 +224,7 @@ class TurningPoint(Peak):
     """The base class of the moments when the height of a body is greatest or least.
 
     Class data:
-        local_verb: what it does there if collisions with other bodies may take it higher, or deeper, later.
+        local_verb: the verb if collisions with other bodies may take the body higher, or deeper, later.
     """
 
     of = Bodies()

@@ -73,7 +73,7 @@ class OtherFigure(Simplification):
     """The base class of misconceptions about the shape of one body, whose mass is kept.
 
     Class data:
-        overlooked: what of its figure a reader does not think of.
+        overlooked: the part of the shape that a solver overlooks.
     """
 
     overlooked: ClassVar[Overlooked]
