@@ -1,4 +1,4 @@
-"""Questions: a mode says what is unknown, a kind what is asked of the motion, a moment when.
+"""Questions: their modes (what is unknown), kinds (what is asked of the motion) and moments (when).
 
 A `Query` is what is asked, without words; a `Question` has words and an answer.
 """
@@ -26,7 +26,7 @@ from sim2reason.text.prose.voices import hiding
 
 @dataclass(frozen=True, slots=True)
 class Formula:
-    """An answer as a formula: its LaTeX, the symbols that the problem has, and values that others must agree with.
+    """An answer as a formula, with its LaTeX, its symbols and numeric values for comparison.
 
     `units` are those in which a text gives the symbols; the `points` have radians for degrees and metres for
     kilometres, as formulas do. The first point is the scene's own, and `values` are the engine's answers at each.
@@ -67,20 +67,20 @@ class Question:
 
     @property
     def left_open(self) -> tuple[str, ...]:
-        """The addresses of the numbers that the text must not tell: its unknown, and that whose limit is meant."""
+        """Return the addresses of the numbers that the text must leave open, such as the unknown."""
         return tuple(path for path in dict.fromkeys((self.unknown, self.query.hides)) if path)
 
     @property
     def result(self) -> float:
-        """The answer to its query: what is given where a number is unknown, else the answer itself."""
+        """Return the answer to the query: the given result if a number is unknown, else the question's answer."""
         return self.given.value if self.given is not None and self.unknown else self.answer
 
 
 @dataclass(frozen=True, slots=True)
 class ParsedQuestion:
-    """What a sentence that was read asks: the query, and the answer to it that the sentence gives, if it does.
+    """The meaning of a parsed sentence: its query and, if the sentence states one, the given result.
 
-    `assumed` is what it says of the motion beforehand.
+    `assumed` are its assumptions about the motion.
     """
 
     mode: str
@@ -100,7 +100,7 @@ def anything(query: Query, unknown: str = "", stated: StatedResult | None = None
 
 
 class QuestionMode(ABC):
-    """What of a question is unknown. Filters ask a mode, not a kind, what its answer becomes in a changed scene.
+    """The base class of modes, which define what is unknown in a question and how its answer changes with the scene.
 
     Class data:
         name: under which it is registered.
@@ -116,11 +116,11 @@ class QuestionMode(ABC):
 
     @property
     def kinds(self) -> frozenset[str]:
-        """Names of the kinds that the mode can ask; by default all but those for one of two, which need options."""
+        """Return the names of the kinds that the mode can ask; by default all kinds that need no options."""
         return frozenset(name for name, kind in KINDS.items() if self.offers_options or not kind.names_one)
 
     def offers(self, mechanism: Mechanism) -> bool:
-        """Return whether it may ask anything about a mechanism whose motion is not known yet; by default so."""
+        """Return whether the mode may ask anything about a mechanism, judged without its motion; by default True."""
         del mechanism
         return True
 
@@ -128,18 +128,18 @@ class QuestionMode(ABC):
     def ask(
         self, study: Study, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything
     ) -> Question | None:
-        """A question of a kind (by default drawn by share) about a motion that `suits`, or None if it offers none.
+        """Return a question about a motion that passes the predicate `suits`; None if the mode finds none.
 
-        What suits is looked at before an answer is worked out that costs much.
+        The predicate is tested before costly computations of an answer.
         """
 
     def asking(self, query: Query, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
-        """The question with a query that was found in another way; None, as by default, if this mode has none."""
+        """Return the question for a given query; None, as by default, if the mode has no such question."""
         del query, study, words, rng
         return None
 
     def completed(self, question: Question, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
-        """A question that filters keep, with what costs too much to be found for others; None if there is no such.
+        """Return a question with the costly parts of its answer added; None if these do not exist.
 
         By default nothing is missing.
         """
@@ -147,21 +147,21 @@ class QuestionMode(ABC):
         return question
 
     def described(self, question: Question, description: Description) -> Description:
-        """Return the text of the scene as a question needs it; by default with what it leaves open by its name."""
+        """Return the text of the scene for a question; by default with symbols for the numbers that it leaves open."""
         left_open = question.left_open
         return with_names(description.voiced(hiding(*left_open))) if left_open else description
 
     @abstractmethod
     def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
-        """Return what a sentence asks in this mode, found by trying every phrase; None if it is none of them."""
+        """Return the question of this mode that a sentence expresses; None if no phrase of the mode matches."""
 
     def study(self, question: Question, study: Study) -> Study:
-        """The motion that a question is about, where `study` is that of the scene as it was drawn; by default this."""
+        """Return the motion that a question is about; by default `study`, the motion of the scene as drawn."""
         del question
         return study
 
     def response(self, question: Question, study: Study, other: Study) -> float | None:
-        """Return what the answer becomes if the motion is another's; None if what is asked about does not come.
+        """Return the answer to a question in another motion; None if the answer does not exist there.
 
         `study` is the one that the question is about. By default the query is asked again.
         """
@@ -169,12 +169,12 @@ class QuestionMode(ABC):
         return KINDS[question.query.kind].answer(question.query, other)
 
     def solution(self, asked: ParsedQuestion, study: Study, words: Words) -> float | None:
-        """The answer to what was read, in SI units or those of the text; None if there is none, or more than one."""
+        """Return the answer to a parsed question, in SI units or those of the text; None unless it is unique."""
         del words
         return KINDS[asked.query.kind].answer(asked.query, study)
 
     def lacking(self, asked: ParsedQuestion, study: Study, words: Words) -> str:
-        """Return a clause explaining why a parsed question has no answer, if nothing more specific is known."""
+        """Return a clause explaining why a parsed question has no answer, for want of a more specific reason."""
         del asked, study, words
         return "the scene has no such value"
 
@@ -184,7 +184,7 @@ M = TypeVar("M", bound=QuestionMode)
 
 
 def mode(cls: type[M]) -> type[M]:
-    """Enter a mode under its name."""
+    """Register a mode under its name."""
     MODES.add(cls.name, cls())
     return cls
 

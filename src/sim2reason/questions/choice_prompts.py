@@ -1,4 +1,4 @@
-"""Prompts of multiple choice: scene and question, the options with their letters, and how to give the letter."""
+"""Prompts of multiple choice: scene, question, lettered options and the instruction to give a letter."""
 
 import re
 from collections.abc import Sequence
@@ -13,8 +13,8 @@ from sim2reason.questions.prompt import FORMATS, PLAIN_FORMATS, unit_in_words
 from sim2reason.scenes.dsl.measures import join_unit
 
 LETTERS = "ABCDE"
-DIGITS = 3  # significant ones, as prompts ask for
-PLAIN = range(-3, 5)  # the powers of ten that are written out
+DIGITS = 3  # significant digits that prompts ask for
+PLAIN = range(-3, 5)  # powers of ten of numbers written without scientific notation
 ENDING = "Which answer is right? Give its letter inside \\boxed{}."
 MINUS = "\N{MINUS SIGN}"
 _OPTION = re.compile(rf"([{LETTERS}])\. (.+)")
@@ -22,19 +22,19 @@ _OPTION = re.compile(rf"([{LETTERS}])\. (.+)")
 
 @dataclass(frozen=True)
 class ChoicePrompt:
-    """Scene and question as one text, and the options in their order."""
+    """A scene and its question as one text, with the options in order."""
 
     question: str
     options: tuple[str, ...]
 
     @classmethod
     def of(cls, question: str, values: Sequence[float], unit: str) -> "ChoicePrompt":
-        """With numbers as options, all in one style."""
+        """Return a prompt with numbers as options, all formatted in one style."""
         return cls(question, amounts(values, unit))
 
     @classmethod
     def read(cls, text: str) -> "ChoicePrompt":
-        """Return what a prompt consists of; TextError for a text that is no such prompt."""
+        """Return the parts of a multiple-choice prompt; TextError for any other text."""
         body, _, last = text.rpartition("\n\n")
         question, _, listed = body.rpartition("\n\n")
         options = [_OPTION.fullmatch(line) for line in listed.splitlines()]
@@ -45,13 +45,13 @@ class ChoicePrompt:
 
     @property
     def text(self) -> str:
-        """The whole prompt."""
+        """Return the whole prompt."""
         listed = "\n".join(f"{letter}. {text}" for letter, text in zip(LETTERS, self.options, strict=False))
         return f"{self.question}\n\n{listed}\n\n{ENDING}"
 
 
 def parse_choice(text: str, unit: str, rng: np.random.Generator | None = None) -> ParsedPrompt:
-    """Read a prompt of multiple choice, whose options are in `unit`, as `parse_prompt` does one without options."""
+    """Return the meaning of a multiple-choice prompt whose options are in `unit`, as `parse_prompt` does."""
     question = ChoicePrompt.read(text).question
     form = FORMATS[0].format(unit=unit_in_words(unit)) if unit else PLAIN_FORMATS[0]
     between = "\n\n" if question.endswith("|") else " "
@@ -59,12 +59,12 @@ def parse_choice(text: str, unit: str, rng: np.random.Generator | None = None) -
 
 
 def amounts(values: Sequence[float], unit: str) -> tuple[str, ...]:
-    """Format numbers in one style, with their unit."""
+    """Return numbers formatted in one style, with their unit."""
     return tuple(join_unit(text.replace("-", MINUS), unit) for text in said(values))
 
 
 def said(values: Sequence[float], digits: int = DIGITS) -> list[str]:
-    """Format numbers in one style: integers, or `digits` significant digits, with powers of ten if one needs them."""
+    """Return numbers in one style: integers, or `digits` significant digits, in scientific notation if needed."""
     if all(value == round(value) and abs(value) < 10**digits for value in values):
         return [str(round(value)) for value in values]
     powers = [_power(value, digits) for value in values]
@@ -76,6 +76,6 @@ def said(values: Sequence[float], digits: int = DIGITS) -> list[str]:
 
 
 def _power(value: float, digits: int) -> int:
-    """Return the power of ten of a number that was rounded."""
+    """Return the power of ten of a number after rounding."""
     rounded = abs(float(f"{value:.{digits - 1}e}"))
     return floor(log10(rounded)) if rounded else 0

@@ -1,4 +1,4 @@
-"""Selection of what is worth asking: changing values, lasting values, and moments."""
+"""Selection of questions worth asking: quantities that vary with time, constant quantities, and moments."""
 
 from collections.abc import Callable, Iterable
 from math import hypot, inf
@@ -15,19 +15,19 @@ from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.quantities import QUANTITIES, Quantity
 from sim2reason.simulation.trace import AT_ONCE, Event, Trace
 
-CLEARLY = 0.05  # relative: what changes by less is paid at any moment
-CONSTANT_RTOL = 1e-6  # relative: what changes by less does not change
-ENDINGS = frozenset({"reach", "limit"})  # events of which texts say that they do not come
-SHARES = np.array([0.07, 0.3, 0.6, 0.93])  # of a stretch between two events: where a value is looked at
-SEVERAL = 2  # of those instants, of eight: a value that differs at one of them alone has settled
+CLEARLY = 0.05  # relative: a value that varies by less is graded correct at any moment
+CONSTANT_RTOL = 1e-6  # relative: a value that varies by less is constant
+ENDINGS = frozenset({"reach", "limit"})  # events that a text excludes
+SHARES = np.array([0.07, 0.3, 0.6, 0.93])  # of an interval between two events: sampled fractions
+SEVERAL = 2  # sampled instants, of eight, at which a varying value must differ
 Values = Callable[[Array], Array]
 """A value at some instants, s: (n,) to (n,); NaN where there is none."""
 
 
 def hangs_on(moment: Moment, trace: Trace, time: float, values: Values) -> bool:
-    """Whether a value is clearly another one elsewhere between the events next to a moment, or jumps at the moment.
+    """Return whether a value differs clearly within the intervals beside a moment, or jumps at the moment.
 
-    Else whoever asks for it at another moment gives the same answer, so that the moment decorates the question.
+    Otherwise a question at another moment has the same answer, so that the moment is irrelevant.
     """
     here = float(values(np.array([moment.side(time)]))[0])
     before, after = _between(trace, time)
@@ -45,7 +45,7 @@ def hangs_on(moment: Moment, trace: Trace, time: float, values: Values) -> bool:
 
 
 def lasts(target: Target, trace: Trace) -> bool:
-    """Return whether a quantity never changes: not while the motion is described, nor, as nothing stops, after that.
+    """Return whether a quantity is constant throughout the motion, including any later part that is not simulated.
 
     What rubs against something and does not begin at rest may stop later on.
     """
@@ -61,7 +61,7 @@ def lasts(target: Target, trace: Trace) -> bool:
 
 
 def _between(trace: Trace, time: float) -> tuple[float, float]:
-    """Return the events next to a time, or where the motion that is described begins and ends, s."""
+    """Return the times, s, of the events just before and after a time, or the ends of the simulated motion."""
     times = [event.time for event in trace.events if _changes_something(event)]
     before = max((found for found in times if found < time * (1.0 - AT_ONCE)), default=0.0)
     after = min((found for found in times if found > time * (1.0 + AT_ONCE)), default=trace.stable_until)
@@ -73,16 +73,16 @@ def _changes_something(event: Event) -> bool:
 
 
 CROSSINGS = "enter", "exit"
-CLEAR = 1e-3  # of the duration: how far a time stays away from events
-SPRUNG = 2  # bodies on springs, at most, whose oscillation along a line a short formula describes
-LEVEL = 1e-9  # of an axle: the level part of its direction, with less of which it is upright
-STILL, ROUNDING = 1e-7, 1e-9  # of the greatest speed of its own, and of anything's: what is slower stands still
+CLEAR = 1e-3  # of the duration: least distance of a question's time from events
+SPRUNG = 2  # maximum number of bodies on springs whose oscillation has a short formula of time
+LEVEL = 1e-9  # least horizontal component of an axle's direction that is not vertical
+STILL, ROUNDING = 1e-7, 1e-9  # of the subject's own and of the overall greatest speed: a lower speed is rest
 
 
 def pick(
     targets: Iterable[Target], rng: np.random.Generator, worth: Callable[[Target], bool] = lambda _: True
 ) -> Target | None:
-    """A target that is worth asking, by the weight of its quantity, which all its targets share; None without any."""
+    """Return a random target worth asking for, weighted by the weights of quantities; None if there is none."""
     left = [target for target in targets if QUANTITIES[target.quantity].drawn_by_recipes]
     while left:
         names = [target.quantity for target in left]
@@ -94,13 +94,13 @@ def pick(
 
 
 def apart(time: float, trace: Trace) -> bool:
-    """Whether a time stays away from every event that changes anything, so that before and after can't be mistaken."""
+    """Return whether a time is clear of all events that change the motion."""
     clear = CLEAR * float(trace.state.times[-1])
     return all(abs(time - event.time) > clear for event in trace.events if event.changes_motion)
 
 
 def still(trace: Trace, speeds: Array) -> float:
-    """Return the speed below which something with these `speeds` (n,) at the instants of the scan counts as at rest.
+    """Return the speed, m/s, below which a subject with these speeds (n,) on the scan counts as at rest.
 
     What never moves has speeds, too, as rounding leaves them.
     """
@@ -109,10 +109,10 @@ def still(trace: Trace, speeds: Array) -> float:
 
 
 def bears_from(trace: Trace) -> float:
-    """From when on all that a text gives can have a bearing, s; infinite if it never has.
+    """Return the time, s, from which all given data can affect the motion; infinite if they never do.
 
-    Where bodies can collide, that is when all have that ever do; where fuel burns, the end of it; where a field has
-    borders, the first crossing of one; where what swings on a string leaves its circle, when the string goes slack.
+    If bodies can collide, all bodies that ever do must have collided; fuel must be used up; the first boundary of a
+    field must have been crossed; and a string that goes slack must have done so.
     """
     mechanism, waits = trace.mechanism, [burn.until for burn in trace.mechanism.burns]
     if mechanism.meetings:
@@ -130,12 +130,12 @@ def bears_from(trace: Trace) -> float:
 
 
 def least(mechanism: Mechanism, quantity: Quantity) -> float:
-    """The smallest answer of a quantity; less in proportion, of what grows with mass, where all bodies are light."""
+    """Return the smallest admissible answer of a quantity, less for mass-proportional ones if all bodies are light."""
     return quantity.least * min(1.0, max(body.mass for body in mechanism.bodies)) if quantity.heavy else quantity.least
 
 
 def has_met(trace: Trace, time: float, *, just_after: bool = False) -> bool:
-    """Whether, where bodies can collide, some have before a time, or `just_after` it; else collisions do not bear."""
+    """Return whether a collision occurs before a time, or `just_after` it; True if bodies cannot collide."""
     if not trace.mechanism.meetings:
         return True
     end = time * (1.0 + (AT_ONCE if just_after else -AT_ONCE))
@@ -143,7 +143,7 @@ def has_met(trace: Trace, time: float, *, just_after: bool = False) -> bool:
 
 
 def has_formula_of_time(mechanism: Mechanism) -> bool:
-    """Return whether a short formula tells where everything is at any time.
+    """Return whether a short formula gives all positions as functions of time.
 
     That is so where accelerations are constant or depend on time or velocity alone, and where springs move one or two
     bodies along lines or level circles. Where forces depend on positions otherwise, turning points are worth asking
@@ -160,17 +160,17 @@ def has_formula_of_time(mechanism: Mechanism) -> bool:
 
 
 def only_falls(mechanism: Mechanism) -> bool:
-    """Return whether nothing but weight acts, so that everything has the acceleration that the text gives it."""
+    """Return whether gravity is the only force, so that all accelerations are given."""
     forces = (mechanism.lines, mechanism.contacts, mechanism.forces, mechanism.attractions, mechanism.burns)
     return not any(forces) and all(c.kind == "slide" for c in mechanism.coordinates)
 
 
-DISTINCT_RTOL = 2e-3  # relative: what rounds to the same three digits
-JUMP = 1e-5  # relative: what differs by more on both sides of an event jumps there
+DISTINCT_RTOL = 2e-3  # relative: values that differ by less agree in three digits
+JUMP = 1e-5  # relative: least change of a value across an event that is a jump
 
 
 def changed(study: Study, moment: Moment) -> Callable[[Target], bool]:
-    """Return a predicate: is the value of a quantity at a moment worth asking for?
+    """Return a predicate that tests whether the value of a target at a moment is worth asking for.
 
     It must be neither zero nor stated, and differ from the initial value and from that at other moments. At an event
     whose words name no side of it, it must not jump either.
@@ -198,5 +198,5 @@ def changed(study: Study, moment: Moment) -> Callable[[Target], bool]:
 
 
 def is_something(value: float, target: Target, study: Study) -> bool:
-    """Return whether a value is large enough to be asked for; negative ones never are."""
+    """Return whether a value exceeds the smallest admissible answer of its quantity; False for negative values."""
     return value > least(study.mechanism, QUANTITIES[target.quantity])  # NaN is no more

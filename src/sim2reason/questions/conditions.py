@@ -1,4 +1,4 @@
-"""Conditions that state a result and leave a number unknown, and the uniqueness of that number."""
+"""Questions that state a result and ask for an unknown number, and tests of the uniqueness of that number."""
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
@@ -11,29 +11,29 @@ from sim2reason.questions.query import Noun, Query
 from sim2reason.questions.unknown import Unknown
 from sim2reason.questions.words import Words
 
-STRIDES = (16, 4)  # of the scan: first some points far apart, which most often tell
-SMOOTH = 0.1  # of the least distance from what is given: by how much a cubic may miss the answer where it is smooth
-NEAR = 0.01  # relative: what is closer to the root is not told from it
-DIP = 3  # guesses for the bottom of a dip
-SHALLOW = 0.3  # of a dip: one whose bottom is guessed to be no lower is not looked into,
-NEARLY = 10.0  # margins: unless it is as low as this already; then halving finds the tip of a kink
-KINK = 10  # halvings
-EDGE = 0.01  # relative: where there is no answer this close to the root, who looks for it may pass it by
-BEHIND = 3.0  # steps of the scan: how far behind an end of the range another root is foreseen
-UNEVEN = 0.3  # of the least distance from what is given: by how much a line may miss the answer where it runs evenly
-FINER = 3  # times that more numbers are tried where it does not
-CLOSER = 5  # halvings between numbers for which different things happen
+STRIDES = (16, 4)  # steps of the scan: a coarse pass first
+SMOOTH = 0.1  # of the smaller distance from the given result: maximum error of a cubic interpolation, if smooth
+NEAR = 0.01  # relative: values closer to the root are the same root
+DIP = 3  # parabolic guesses for the minimum of a dip
+SHALLOW = 0.3  # of a dip: a guessed minimum above this fraction is not evaluated,
+NEARLY = 10.0  # margins: unless the dip is already lower; halving then finds the minimum of a kink
+KINK = 10  # halvings near a kink
+EDGE = 0.01  # relative: distance from the root at which a missing answer is tested
+BEHIND = 3.0  # steps of the scan: extrapolation distance beyond an end of the range
+UNEVEN = 0.3  # of the smallest distance from the given result: maximum error of a line on an even interval
+FINER = 3  # refinements of uneven intervals
+CLOSER = 5  # halvings between numbers with different courses of events
 
 
 class Scan:
-    """Looks for another root. Below one root answers must lie on one side of what is given, above it on the other."""
+    """A search for further roots; answers below and above the only root lie on opposite sides of the given result."""
 
     def __init__(
         self, dependence: Dependence, root: float, given: float, margin: float, coarse: Dependence | None = None
     ) -> None:
-        """`margin` is by how much an answer must differ from what is given to be told from it.
+        """Prepare the search; `margin` is the smallest significant difference between an answer and the given result.
 
-        Where it differs by far, that of a `coarse` dependence, which costs less, is enough.
+        Where the answer is far from the given result, the cheaper `coarse` dependence suffices.
         """
         rate = dependence.rate(root)
         self._dependence, self._coarse, self._root, self._given = dependence, coarse or dependence, root, given
@@ -41,31 +41,30 @@ class Scan:
         self._known: dict[float, float | None] = {}
 
     def another(self, values: Sequence[float]) -> float | None:
-        """A number at which the answer could be what is given, or for which it is on the wrong side; None if none is.
+        """Return a number whose answer may equal the given result or lies on the wrong side; None if there is none.
 
-        One that has its answer later than its motion is followed, if it has any, could be, too.
-        Looked for at all `values`, towards the borders of where there is an answer, at the bottom of each dip, and
-        between values over which the answer swings.
+        A number whose answer may lie beyond the end of the simulation counts as well. Candidates are all `values`,
+        limits of the range with an answer, minima of dips, and midpoints of intervals in which the answer oscillates.
         """
         return next((at for at in self._tried(values) if self._could_be(at)), None)
 
     def edge(self, values: Sequence[float]) -> float | None:
-        """A number beside the root, within the range of `values`, where there is no answer; None if there is none."""
+        """Return a number next to the root, within `values`, that has no answer; None if there is none."""
         beside = sorted(self._root + side * EDGE * abs(self._root) for side in (-1.0, 1.0))
         return next((at for at in beside if values[0] <= at <= values[-1] and self._coarse(at) is None), None)
 
     def far(self, values: Sequence[float]) -> float | None:
-        """Return one of some numbers far away whose answer is not clear of what is given; None if none is.
+        """Return one of some distant numbers whose answer is not clear of the given result; None if there is none.
 
-        Nothing is looked for between them, nor is it waited for: beyond another root answers are on the wrong side.
+        Intermediate values are not tested: beyond another root all answers are on the wrong side.
         """
         clear = ((at, self._clear(at)) for at in values)
         return next((at for at, by in clear if by is not None and by <= 1.0), None)
 
     def end(self, values: Sequence[float]) -> float | None:
-        """An end of the range of `values` where answers come back so fast that there may be another root behind it.
+        """Return an end of the range of `values` beyond which extrapolation suggests another root; None if neither.
 
-        Where a range ends no text says, and who looks a little farther finds that root, too.
+        No text states the end of the range, and a reader who searches a little farther finds that root, too.
         """
         for last, before in ((values[0], values[1]), (values[-1], values[-2])):
             here, inside = self._clear(last), self._clear(before)
@@ -83,7 +82,7 @@ class Scan:
         yield from filter(self._is_apart, self._swings())
 
     def _between(self, values: Sequence[float]) -> Iterator[float]:
-        """Yield the values that are left, but for those where the answer is seen to run smoothly between known ones."""
+        """Yield the remaining values, except those in intervals where the answer is smooth."""
         stride = STRIDES[-1]
         first = stride // 2
         last = len(values) - 1 - (len(values) - 1 - first) % stride
@@ -94,7 +93,7 @@ class Scan:
                 yield from (values[at] for at in range(low + 1, low + stride) if at != low + stride // 2)
 
     def _is_smooth(self, values: Sequence[float], low: int) -> bool:
-        """Whether the answer rises or falls to the next known value but one, and as a cubic through them says."""
+        """Return whether the answer is monotonic around a value and agrees with a cubic interpolation."""
         stride = STRIDES[-1]
         ends = [values[at] for at in (low, low + stride)]
         middle = values[low + stride // 2]
@@ -117,7 +116,7 @@ class Scan:
         return abs(b - guess) <= SMOOTH * min(a, c)
 
     def _beside(self, values: Sequence[float], index: int, end: float) -> float | None:
-        """What is known farther out, on the same side of the root; None if nothing is, or something else happens."""
+        """Return the known distance from the given result at a value farther out on the same side; None if unknown."""
         if not 0 <= index < len(values) or (values[index] < self._root) != (end < self._root):
             return None
         found = self._known.get(values[index])
@@ -131,7 +130,7 @@ class Scan:
         return self._coarse.is_late(at) if clear is None else clear <= 1.0
 
     def _clear(self, at: float) -> float | None:
-        """By how many margins the answer is beyond what is given, on the side where it must be; None without answer."""
+        """Return the signed distance of the answer from the given result, in margins; None without an answer."""
         if at not in self._known:
             clear = self._beyond(at, self._coarse(at))
             self._known[at] = clear if clear is None or clear > NEARLY else self._beyond(at, self._dependence(at))
@@ -142,14 +141,14 @@ class Scan:
         return None if found is None else side * (found - self._given) / self._scale
 
     def _borders(self) -> Iterator[float]:
-        """Numbers ever closer to where there ceases to be an answer."""
+        """Yield numbers that approach, by bisection, the limits beyond which there is no answer."""
         for one, other in pairwise(sorted({*self._known, self._root})):
             yield from towards_border(self._coarse, one, other)
 
     def _turning_points(self) -> Iterator[float]:
-        """Numbers between neighbours for which different things happen: the answer may be anything in between.
+        """Yield midpoints of neighbouring numbers that have different courses of events.
 
-        Where there is none halfway, those towards the borders of where there is one.
+        If a midpoint has no answer, numbers that approach the limits of the range with an answer follow.
         """
         pairs = list(pairwise(sorted({*self._known, self._root})))
         for _ in range(CLOSER):
@@ -162,12 +161,12 @@ class Scan:
             pairs = [half for (low, high), at in zip(apart, middles, strict=True) for half in ((low, at), (at, high))]
 
     def _differ(self, one: float, other: float) -> bool:
-        """Return whether different things happen for two numbers."""
+        """Return whether two numbers lead to different courses of events."""
         courses = [self._coarse.course(at) for at in (one, other)]
         return None not in courses and courses[0] != courses[1]
 
     def _dips(self) -> Iterator[float]:
-        """Guesses for where the answer comes closest to what is given between three neighbours, the middle lowest."""
+        """Yield guesses for the number at which the answer comes closest to the given result within a dip."""
         for side in (-1.0, 1.0):
             beyond = sorted(at for at in self._known if (at - self._root) * side > 0.0)
             for index in range(1, len(beyond) - 1):
@@ -193,7 +192,7 @@ class Scan:
                 low, high = (bottom, high) if bottom < middle else (low, bottom)
 
     def _swings(self) -> Iterator[float]:
-        """Numbers halfway between neighbours beside which the answer runs unevenly: it may go to and fro in between."""
+        """Yield midpoints of intervals in which the answer varies unevenly and may oscillate."""
         for _ in range(FINER):
             known = [(at, clear) for at, clear in sorted(self._known.items()) if clear is not None and isfinite(clear)]
             uneven = (each for each in zip(known, known[1:], known[2:], strict=False) if _is_uneven(*each))
@@ -202,14 +201,14 @@ class Scan:
 
 
 def _is_uneven(low: tuple[float, float], middle: tuple[float, float], high: tuple[float, float]) -> bool:
-    """Return whether a line from the outer ones of three points (x, y) misses the middle one by far."""
+    """Return whether a line through the outer two of three points (x, y) misses the middle point by far."""
     share = (middle[0] - low[0]) / (high[0] - low[0])
     line = (1.0 - share) * low[1] + share * high[1]
     return abs(middle[1] - line) > UNEVEN * min(low[1], middle[1], high[1])
 
 
 def _lowest(*points: tuple[float, float]) -> tuple[float, float]:
-    """Return where the parabola through three points (x, y), the middle one lowest, is lowest, and how low."""
+    """Return the minimum (x, y) of the parabola through three points, of which the middle one is lowest."""
     (low, a), (middle, b), (high, c) = points
     left, right = (middle - low) * (b - c), (middle - high) * (b - a)
     bottom = middle - 0.5 * ((middle - low) * left - (middle - high) * right) / (left - right)
@@ -218,7 +217,7 @@ def _lowest(*points: tuple[float, float]) -> tuple[float, float]:
 
 
 def asking_for(unknown: Unknown, query: Query, given: StatedResult, words: Words, noun: Noun | None) -> tuple[str, ...]:
-    """Return all ways to ask which value of the unknown makes the answer to a query what is given."""
+    """Return all sentences that ask for the value of the unknown with which a query has the given result."""
     kind, sense = KINDS[query.kind], query.target.sense if query.target is not None else None
     wanted, told = kind.wanted(query, words, noun), kind.told(query, words, noun, given.said)
     plain = [f"{called} is {given.said}" for called in kind.called(query, words, noun)[:1]]
@@ -236,7 +235,7 @@ def asking_for(unknown: Unknown, query: Query, given: StatedResult, words: Words
 
 
 def _stated(told: tuple[str, ...], clauses: tuple[str, ...], unknown: str, counted: str) -> Iterator[str]:
-    """Yield the result first, in a sentence of its own, or as what is given, in a clause."""
+    """Yield sentences that state the result first, as a statement of its own or as a clause."""
     for statement in told:
         if statement[0].isalpha():
             yield f"{statement}{counted}. What is {unknown}?"
@@ -249,7 +248,7 @@ def _stated(told: tuple[str, ...], clauses: tuple[str, ...], unknown: str, count
 
 
 def _wanted(called: str, value: str, unknown: str, symbol: str, counted: str) -> Iterator[str]:
-    """Yield the result as what shall be."""
+    """Yield sentences that state the result as a requirement."""
     yield f"what must {unknown} be if {called} is to be {value}{counted}?"
     yield f"determine {unknown} so that {called} is {value}{counted}."
     yield f"for which value of {symbol} is {called} equal to {value}{counted}?"

@@ -1,4 +1,4 @@
-"""When something reaches a value: looked for on the engine's own steps, and closed in on between two of them."""
+"""Zero crossings of a function of the motion, bracketed on the steps of an engine and refined."""
 
 from collections.abc import Callable, Iterator
 
@@ -10,16 +10,16 @@ from sim2reason.simulation.trace import Trace
 Excess = Callable[[State], Array]
 """A function of the state that is negative before and positive after what is looked for, (n,)."""
 
-SMALL = 1e-9  # of the function's largest value: less is nothing
-JUMP = 1e-12  # of the duration: a function that changes sign within less jumps, at an event
-CLOSE = 0.1  # of what a step errs by: no need to know the time much better
-ROUNDS = 16  # of closing in; three or four reach the resolution of doubles
-FINE = 33  # instants where the function may touch zero between two samples
+SMALL = 1e-9  # of the function's largest value: smaller values are zero
+JUMP = 1e-12  # of the duration: a sign change within less is a jump at an event
+CLOSE = 0.1  # of the error of a step: accuracy of a crossing time
+ROUNDS = 16  # iterations of the refinement; three or four reach double precision
+FINE = 33  # instants in an interval where the function may touch zero
 _NEAR = 10.0 ** -np.arange(1.0, 9.0)
 
 
 def crossings(trace: Trace, excess: Excess) -> Iterator[float]:
-    """Yield the times, s, at which a function that was below zero comes up through zero, without a jump, in order.
+    """Yield the times, s, in order, at which a function rises through zero without a jump.
 
     What begins at zero must fall below it first. NaN is neither below nor above.
     """
@@ -43,12 +43,12 @@ def crossings(trace: Trace, excess: Excess) -> Iterator[float]:
 
 
 def first_crossing(trace: Trace, excess: Excess) -> float | None:
-    """Return the first of the `crossings`; None if there is none while the motion is described."""
+    """Return the first of the `crossings`, s; None if there is none in the simulated motion."""
     return next(crossings(trace, excess), None)
 
 
 def jumps(trace: Trace, excess: Excess) -> list[float]:
-    """Return the times, s, of events at which a function jumps from below zero to above, in order."""
+    """Return the times, s, in order, of events at which a function jumps from negative to positive."""
     times, values = trace.scan.times, excess(trace.scan)
     small = SMALL * np.abs(values)[np.isfinite(values)].max(initial=0.0)
     jumped = (np.diff(times) <= JUMP * float(times[-1])) & (values[:-1] < -small) & (values[1:] > small)
@@ -57,7 +57,7 @@ def jumps(trace: Trace, excess: Excess) -> list[float]:
 
 
 def begins_beyond(trace: Trace, excess: Excess) -> bool:
-    """Return whether a function begins at zero and rises first, as a rate does where the start is a turning point."""
+    """Return whether a function is zero at the start and rises first, as a rate at an initial turning point does."""
     values = excess(trace.scan)
     size = np.abs(values)[np.isfinite(values)].max(initial=0.0)
     clear = values[np.abs(values) > SMALL * size]
@@ -65,7 +65,7 @@ def begins_beyond(trace: Trace, excess: Excess) -> bool:
 
 
 def _sampled(trace: Trace, excess: Excess) -> tuple[Array, Array]:
-    """The function on the trace's scan, and more closely where it may touch zero between three samples of one sign."""
+    """Return times and values of the function on the scan, refined where it may touch zero between samples."""
     times = trace.scan.times
     values = excess(trace.scan)
     if len(times) < 3:
@@ -87,7 +87,7 @@ def _sampled(trace: Trace, excess: Excess) -> tuple[Array, Array]:
 
 
 def _closed_in(trace: Trace, excess: Excess, low: tuple[float, float], high: tuple[float, float]) -> float:
-    """When the sign changes between two instants, each with its value: by secants, and points around their roots."""
+    """Return the time, s, of a sign change between two instants, by the secant method with bracketing."""
     (a, fa), (b, fb) = low, high
     for _ in range(ROUNDS):
         width = b - a

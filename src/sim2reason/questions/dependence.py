@@ -1,4 +1,4 @@
-"""The answer to a query as a function of one number of the scene, and where it has a given value."""
+"""The answer to a query as a function of one number of the scene, and the roots of that function."""
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
@@ -19,22 +19,22 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, FINEST, Trace
 
-LONGER = 2.0  # times the scene's own horizon, until which something is waited for that may come later;
-LATEST = 8.0  # or, where it would be another answer however late it came
-BORDER = 12  # bisections towards where there is no answer
+LONGER = 2.0  # times the scene's own horizon: simulation time for an event that may occur later;
+LATEST = 8.0  # or for a query whose answer exists however late the event occurs
+BORDER = 12  # bisections towards the limit beyond which there is no answer
 SAME_TIME = 1e-6  # relative
-STEP = 1e-4  # relative: for a rate of change
-SECANTS, ROUNDS, EXACT = 8, 60, 1e-10  # of closing in by secants alone, and with a bracket; relative
+STEP = 1e-4  # relative step of numerical derivatives
+SECANTS, ROUNDS, EXACT = 8, 60, 1e-10  # secant steps, bracketed steps, and relative accuracy of the root
 
-ROOMY = 100.0  # times: how much longer a string may be
-GROUND = "limit"  # the event that ends the motion of what comes down
+ROOMY = 100.0  # factor on the length of a string that is long enough
+GROUND = "limit"  # kind of the event that ends the motion of a falling body
 
 Course = tuple[tuple[tuple[str, tuple[str, ...]], ...], tuple[float, ...]]
 """Events in turn, by kind and subjects, which way each coordinate has changed, and whether it stands."""
 
 
 class Dependence:
-    """How a query's answer depends on the number at an address of the scene, all others being what they are."""
+    """The answer to a query as a function of the number at one address of the scene."""
 
     def __init__(
         self,
@@ -67,30 +67,30 @@ class Dependence:
         self._late = set[float]()  # where it may come yet when the motion is no longer followed
 
     def know(self, value: float, answer: float) -> None:
-        """The answer for the value that the number has in the study's scene; its motion need not be followed again."""
+        """Record the answer for the value of the number in the study's scene, which need not be simulated again."""
         if self._as_asked:
             self._known[value] = answer
             self._note(value, self._study)
 
     def coarser(self, error: float) -> "Dependence":
-        """The same with steps that may err by more; what one learns of when to wait for an answer the other knows."""
+        """Return the same function with less accurate integration; both share the known waiting times."""
         found = Dependence(self._query, self._study, self._path, error, self._scene, self._likely, self._patience)
         found._times, found._late = self._times, self._late
         return found
 
     def __call__(self, value: float) -> float | None:
-        """The answer; inf for a time to what comes later than the motion is followed, None if there is no answer."""
+        """Return the answer for a value; inf for a time beyond the simulated motion, None if there is no answer."""
         if value not in self._known:
             self._known[value] = self._answer(value)
         return self._known[value]
 
     def is_late(self, value: float) -> bool:
-        """Return whether nothing but how long a motion is followed keeps what is asked about from having an answer."""
+        """Return whether the answer for a value is missing only because the simulation ends too early."""
         self(value)
         return value in self._late
 
     def course(self, value: float) -> Course | None:
-        """What happens in turn until the answer is known, where there is one: what else happens may depend on it."""
+        """Return the course of events until the answer for a value is known; None if there is no answer."""
         self(value)
         return self._courses.get(value)
 
@@ -107,9 +107,9 @@ class Dependence:
         return None
 
     def _followed(self, value: float, scene: Scene, stages: Sequence[float]) -> float | None:
-        """Return the answer, where a motion is followed for ever longer until there is one.
+        """Return the answer for a value, found by simulations of increasing duration.
 
-        What can not be followed any longer is as late as what is not: something may come yet.
+        If the simulation fails at some duration, the answer may still exist at a later time.
         """
         kind = KINDS[self._query.kind]
         query = kind.expecting(self._query, self._likely(value) if self._likely is not None else 0.0)
@@ -132,9 +132,9 @@ class Dependence:
         return kind.late_answer(self._query)
 
     def _lying(self, study: Study) -> float | None:
-        """The answer at a time of the clock by which something has come down and lies: no text says that it has not.
+        """Return the answer at a stated time by which a body has landed, for values that remain valid then; else None.
 
-        So far as it lasts: lengths, and what a stretch of motion adds up to. Speeds and forces are another motion's.
+        Lengths and totals of an interval remain valid after the landing; speeds and forces do not.
         """
         moment, end = self._query.moment, study.trace.stable_until * (1.0 - SAME_TIME)
         lasts = isinstance(self._query, StretchQuery) or KINDS[self._query.kind].measured(self._query).unit == "m"
@@ -148,18 +148,18 @@ class Dependence:
 
     @property
     def _later_counts(self) -> bool:
-        """Return whether something is waited for whose time is not the answer: however late it comes, it has one."""
+        """Return whether the query waits for an event whose time is not the answer."""
         timed = KINDS[self._query.kind].measured(self._query).name == "time"
         return not timed and self._query.moment is not None and self._query.moment.ahead is None
 
     def _note(self, value: float, study: Study) -> None:
-        """When what is asked about comes in a motion, and after what; itself it may be an event, within rounding."""
+        """Record the time of the query's moment in a motion, s, and the course of events before it."""
         self._times[value] = time = KINDS[self._query.kind].time(self._query, study) or 0.0
         events = tuple((e.kind, e.subjects) for e in study.trace.events if e.time < time * (1.0 - SAME_TIME))
         self._courses[value] = events, ways(study, time)
 
     def _plans(self, value: float, scene: Scene) -> list[tuple[float, ...]]:
-        """How long to follow a motion, s: to a stated time; until what is waited for comes; else to its own horizon.
+        """Return sequences of simulation times, s, to try in turn for a value of the number.
 
         It comes about when it came at the nearest of the values that are known. Where it did not come there at all, the
         motion is followed as long as can be at once; if something then is amiss, that may be after it has come.
@@ -180,17 +180,16 @@ class Dependence:
         return [usual[1:], usual] if near == inf else [(min(1.2 * near, usual[-1]), *usual)]
 
     def rate(self, value: float) -> float | None:
-        """Return the derivative, from one side, which is known to `STEP`; None where there is none."""
+        """Return the one-sided derivative of the answer, with relative accuracy `STEP`; None if there is none."""
         here, beside = self(value), self(value * (1.0 + STEP))
         if here is None or beside is None or inf in (here, beside):
             return None
         return (beside - here) / (STEP * value)
 
     def solved(self, value: float, near: float) -> float | None:
-        """Where the answer is `value`, looked for by secants beginning close to one end; None if they lead nowhere.
+        """Return the number with answer `value`, by secants that begin at one end; None if they do not converge.
 
-        Where the answer is good to `EXACT`, one more secant leads to the number, which without it a weak dependence
-        would leave the worse known; that step is so short that what it leads to need not be tried.
+        When the answer is accurate to `EXACT`, one more secant step, which need not be verified, improves the number.
         """
         a, b = near, near * (1.0 + STEP)
         fa, fb = self._excess(a, value), self._excess(b, value)
@@ -207,7 +206,7 @@ class Dependence:
         return None
 
     def between(self, value: float, low: float, high: float) -> float | None:
-        """Where the answer is `value` between two numbers at which it is not on one side; None if it jumps over it.
+        """Return the number with answer `value` in a bracket, by false position; None at a discontinuity.
 
         The rule of false position, whose standing end counts half (Illinois).
         """
@@ -238,7 +237,7 @@ class Dependence:
 
 
 def roomy(scene: Scene) -> Scene:
-    """The scene with all lengths that its text keeps to itself many times as long: *every string is long enough*."""
+    """Return the scene with hidden lengths multiplied, so that every string is long enough."""
     for parameter in scene.parameters:
         if parameter.hidden and parameter.value and parameter.measure.unit in LENGTHS:
             with suppress(SceneError, ValueError):
@@ -247,7 +246,7 @@ def roomy(scene: Scene) -> Scene:
 
 
 def towards_border(dependence: Callable[[float], float | None], one: float, other: float) -> Iterator[float]:
-    """Numbers ever closer to where there ceases to be an answer, between one that has it and one that has none."""
+    """Yield numbers that approach, by bisection, the limit between a number with an answer and one without."""
     has = [dependence(at) is not None for at in (one, other)]
     inside, outside = (one, other) if has[0] else (other, one)
     for _ in range(BORDER if has[0] != has[1] else 0):
@@ -257,9 +256,9 @@ def towards_border(dependence: Callable[[float], float | None], one: float, othe
 
 
 def roots(dependence: Dependence, values: Sequence[float], given: float) -> list[float]:
-    """Return where the answer is `given`, between neighbours among `values` at which it lies on its two sides.
+    """Return all roots, with answer `given`, between neighbouring `values` with answers on its two sides.
 
-    Between a value that has an answer and one that has none the last ones that do are looked for, too.
+    Limits between values with and without an answer are located by bisection and included in the search.
     """
     coarse = dependence.coarser(COARSE)
     tried = sorted({*values, *(at for pair in pairwise(values) for at in towards_border(coarse, *pair))})

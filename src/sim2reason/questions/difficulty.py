@@ -1,4 +1,4 @@
-"""Labels of difficulty, by which problems are ordered."""
+"""Difficulty labels, in ascending order."""
 
 from typing import Literal
 

@@ -1,4 +1,4 @@
-"""Why an answer may be wrong for all that two engines agree on."""
+"""Reasons why an answer is not certified although two engines agree."""
 
 from collections.abc import Iterable
 
@@ -8,7 +8,7 @@ from sim2reason.simulation.channels import Channel
 
 
 def doubt(certificate: Certificate | None, time: float | None, moment: Moment | None, asked: Iterable[Channel]) -> str:
-    """Why the engines don't vouch for `asked` channels from the start to a time, s, at a moment; empty if they do.
+    """Return why `asked` channels are not certified from the start to a time, s, or at a moment; empty if they are.
 
     Channels are compared at all samples up to there; at an event up to and beyond it.
     """
@@ -25,12 +25,12 @@ def doubt(certificate: Certificate | None, time: float | None, moment: Moment | 
 
 
 def _seen_by_both(certificate: Certificate, time: float) -> bool:
-    """Return whether an event, such as the one that ends the description, is among those that both engines saw."""
+    """Return whether the event at a time, s, is among those that both engines recorded."""
     return any(match.event.time == time for match in certificate.matched)
 
 
 def _agreed(certificate: Certificate, channel: Channel, time: float, *, at_event: bool) -> bool:
-    """Whether both engines vouch for a channel; samples right at an event are not compared, those around it are."""
+    """Return whether both engines agree on a channel up to a time, s; samples at an event itself are not compared."""
     if not at_event:
         return certificate.covers(channel, time)
     until = certificate.trusted(channel)

@@ -1,4 +1,4 @@
-"""The simulation of a motion until a query has an answer, or is known never to have one."""
+"""Simulation of a motion until a query has an answer, or is known never to have one."""
 
 from functools import partial
 from math import isclose
@@ -19,10 +19,10 @@ from sim2reason.scenes.dsl.constancy import changing
 from sim2reason.scenes.dsl.scene import Scene
 
 SAMPLES = 41
-GROWTH = 2.0  # times as long is a motion followed that has not yet led to an answer
-DOUBLINGS, FEWER = 40, 12  # at most; and of what is integrated, where they cost more and more
-SHORTER, TRIES = 0.25, 8  # times as long, where a motion can't be followed; and how often
-ROOM = "reach"  # what ends a motion for which lengths that the text does not say are too short
+GROWTH = 2.0  # factor on the duration of a motion that has not yet led to an answer
+DOUBLINGS, FEWER = 40, 12  # maximum number of doublings; the second for integrated motions, whose cost grows
+SHORTER, TRIES = 0.25, 8  # factor on the duration of a motion that cannot be simulated, and number of attempts
+ROOM = "reach"  # kind of the event that ends a motion for which an unstated length is too short
 ENDLESS = "nothing ends this motion, since the text leaves open how far it can go; say up to which moment"
 ALIKE = 1e-9  # relative: answers that differ by less do not depend on how far a motion goes
 UNDECIDED = "it happens for every value of that number, or for none, or the number has several such limits"
@@ -31,7 +31,7 @@ BEFORE = 1.0 - 1e-6  # of the time at which a motion becomes singular: until the
 
 
 class Followed(NamedTuple):
-    """A scene with a motion long enough to answer a query, and the answer; or None and the reason why there is none."""
+    """A scene with a sufficiently long motion and the answer to a query, or None and the reason."""
 
     study: Study
     answer: float | None
@@ -39,7 +39,7 @@ class Followed(NamedTuple):
 
 
 class FollowedMotion(NamedTuple):
-    """A scene with its motion, and the reason for a motion shorter than requested; otherwise an empty reason."""
+    """A scene with its motion, and the reason if the motion is shorter than requested."""
 
     study: Study
     limit: str = ""
@@ -110,7 +110,7 @@ def _followed(query: Query, begun: FollowedMotion) -> Followed:
 
 
 def _longer(study: Study) -> FollowedMotion:
-    """Return a scene's motion of `GROWTH` times the duration, which all queries about a study share."""
+    """Return a scene's motion with `GROWTH` times the duration, cached for all queries."""
     return study.once("longer motion", lambda: motion_of(study.scene, GROWTH * _end(study)))
 
 

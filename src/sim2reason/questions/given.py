@@ -1,4 +1,4 @@
-"""Results that a question states, with three digits."""
+"""Results that a question states, rounded to three digits."""
 
 import re
 from collections.abc import Iterator
@@ -9,20 +9,20 @@ from typing import Self
 
 from sim2reason.scenes.dsl.measures import join_unit
 
-SMALLEST, LARGEST = -3, 4  # powers of ten between which a number is said without one
+SMALLEST, LARGEST = -3, 4  # powers of ten between which a number needs no scientific notation
 MINUS = "\N{MINUS SIGN}"
 
 
 @dataclass(frozen=True, slots=True)
 class StatedResult:
-    """A number as it is said, and its unit."""
+    """A number as the text states it, with its unit."""
 
     digits: str
     unit: str
 
     @classmethod
     def rounded(cls, value: float, unit: str, digits: int) -> Self | None:
-        """Return a number rounded to significant digits; None if it is too small or too large to be said plainly."""
+        """Return a number rounded to significant digits; None if it would need scientific notation."""
         power = floor(log10(abs(float(f"{value:.{digits - 1}e}")))) if value else LARGEST + 1
         if not SMALLEST <= power <= LARGEST:
             return None
@@ -31,28 +31,28 @@ class StatedResult:
 
     @classmethod
     def found(cls, text: str, unit: str) -> Iterator[Self]:
-        """Return all numbers of a unit that stand in a text."""
+        """Return all numbers with a given unit in a text."""
         return (cls(number, unit) for number in _number(unit).findall(text))
 
     @property
     def value(self) -> float:
-        """The number."""
+        """Return the number as a float."""
         return float(self.digits.replace(MINUS, "-"))
 
     @property
     def half(self) -> float:
-        """By how much at most it differs from what was rounded, as its digits show; of a large one three count."""
+        """Return the largest rounding error that the digits imply; of large integers three digits count."""
         whole, _, decimals = self.digits.removeprefix(MINUS).partition(".")
         return 0.5 * 10.0 ** (-len(decimals) if decimals else max(0, len(whole) - 3))
 
     @property
     def said(self) -> str:
-        """With its unit."""
+        """Return the number with its unit."""
         return join_unit(self.digits, self.unit)
 
 
 @cache
 def _number(unit: str) -> re.Pattern[str]:
-    """Return a number as it is said with its unit, or followed by no letter where it has none."""
+    """Return a pattern for a number with its unit or, without a unit, one followed by no letter."""
     shown = join_unit("", unit)
     return re.compile(rf"(?<![\w.])({MINUS}?\d{{1,5}}(?:\.\d{{1,6}})?){re.escape(shown)}(?![\w/]|\.\d)")

@@ -1,11 +1,11 @@
-"""What mathematics it takes to finish a problem, from arithmetic to numerical integration."""
+"""The mathematics that a solution needs, from arithmetic to numerical integration."""
 
 from collections.abc import Iterable
 from enum import IntEnum
 
 
 class Need(IntEnum):
-    """The most advanced operation that a calculation takes, in ascending order."""
+    """The most advanced operation of a calculation, in ascending order."""
 
     ARITHMETIC = 0
     QUADRATIC = 1
@@ -16,7 +16,7 @@ class Need(IntEnum):
 
     @property
     def label(self) -> str:
-        """Its name in items, on the command line and in the docs."""
+        """Return the name of the need in items, on the command line and in the docs."""
         return self.name.lower().replace("_", " ")
 
 

@@ -1,4 +1,4 @@
-"""Prompts read back: which scene and which question a text means."""
+"""Parsing of prompts into a scene and a question."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -24,7 +24,7 @@ from sim2reason.text.parsing.assembly import untold
 from sim2reason.text.prose.symbol_names import without_names
 
 SAMPLES = 101
-SHARES = 1.0, 0.3, 0.1, 0.03  # of the horizon
+SHARES = 1.0, 0.3, 0.1, 0.03  # of the horizon: durations to try
 
 _UNIT = r"(\S{1,12})"
 _SYMBOL = rf"\$[^$]+\$(?: \({IN_RADIANS}\))?"
@@ -80,7 +80,7 @@ class ParsedPrompt:
 
     @property
     def query(self) -> Query:
-        """Return the query that is asked, or stated as a condition."""
+        """Return the query of the question, or that of its stated result."""
         return self.asked.query
 
     @property
@@ -96,7 +96,7 @@ class ParsedPrompt:
 
     @property
     def counted(self) -> float | None:
-        """Return the answer in the unit of the scene."""
+        """Return the answer in the scene's own unit; None if there is none."""
         return MODES[self.asked.mode].solution(self.asked, self.study, _words(self.reading))
 
     @property
@@ -162,14 +162,14 @@ def without_form(text: str) -> tuple[str, str]:
 
 
 def _drafts(text: str) -> Iterator[tuple[str, Draft]]:
-    """Yield all that a prompt may mean, with the name of the shape that it would have."""
+    """Yield all possible partitions of a prompt into story and question, with the names of their shapes."""
     for shape in shapes_to_try():
         for draft in shape.drafts(text):
             yield shape.name, draft
 
 
 def _stated(draft: Draft, given: Mapping[str, str]) -> Draft:
-    """Return a draft with the numbers of the symbols in its story."""
+    """Return a draft whose story has numbers in place of symbols."""
     told = {symbol: said for symbol, said in given.items() if f"${symbol}$" in draft.story}
     return replace(draft, story=without_names(draft.story), given={**draft.given, **told})
 
@@ -215,7 +215,7 @@ def _in_ordinary_english(
 
 
 def _told(draft: Draft, rng: np.random.Generator | None) -> ParsedScene:
-    """Return the scene of a draft, whose story may be in ordinary English, too."""
+    """Return the scene of a draft, whose story may also be in ordinary English."""
     try:
         return parse_scene(draft.story, rng, draft.given, startless=True)
     except TextError:
@@ -225,7 +225,7 @@ def _told(draft: Draft, rng: np.random.Generator | None) -> ParsedScene:
 
 
 def _begun(reading: ParsedScene) -> FollowedMotion:
-    """Return a first motion of a scene, in which an unknown number has its drawn value."""
+    """Return a first motion of a scene, with an unknown number at its drawn value."""
     scene = reading.scene
     for share in SHARES if reading.unknown else ():
         with suppress(SimulationError):
@@ -234,7 +234,7 @@ def _begun(reading: ParsedScene) -> FollowedMotion:
 
 
 def _in_symbols(words: Words, draft: Draft, given: Mapping[str, str]) -> Words:
-    """Return words that know the symbols of the scene, and those of the question with their values."""
+    """Return words with the symbols of the scene, and those of the question with their values."""
     own = [spoken_of(symbol, said, words.units) for symbol, said in given.items() if symbol not in draft.given]
     return replace(words, symbolic=True, own=dict(filter(None, own)))
 

@@ -47,7 +47,7 @@ _GROUPED = r"\d{1,3}(?:[,\u2009\u202f]\d{3})+" + rf"(?:\.{DIGITS})?"
 _POWER = r"(?:\s?[×x]\s?10\^?(?P<power>[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3}|-?\d{1,2})|[eE](?P<exponent>[+-]?\d{1,2}))?"
 _NUMBER = rf"(?P<number>{_GROUPED}|{DIGITS}(?:\.{DIGITS})?|\.{DIGITS}|[½¼¾]|(?:{'|'.join(_WORDS)})\b){_POWER}"
 _BETWEEN = "(?:\\s|\N{NO-BREAK SPACE}|-)?"  # a number and its unit
-LARGEST = Decimal("1e15")  # what is larger is told as it is
+LARGEST = Decimal("1e15")  # larger numbers are left as they are
 APOSTROPHES, DASHES = "\N{RIGHT SINGLE QUOTATION MARK}", "\N{NON-BREAKING HYPHEN}\N{HYPHEN}"
 SPELLED_OUT = {"What's": "What is", "what's": "what is", "how's": "how is", "How's": "How is"}
 

@@ -1,4 +1,4 @@
-"""Prompts of several parts: the scene once, then the questions (a), (b) and so on, and how to give all answers.
+"""Prompts with several parts: the scene once, the questions (a), (b) and so on, and how to give all answers.
 
 They are read back part by part: the scene with one of the questions is a prompt like any other.
 """
@@ -34,9 +34,9 @@ _SAME = re.compile(rf"\b(?:both|all) (?:in (?P<unit>\S+?)|{AS_WHOLE}|{AS_PURE})(
 
 @dataclass(frozen=True)
 class PartPrompt:
-    """What a prompt of several parts consists of: the scene, the questions, and the units of their answers in words.
+    """The parts of a prompt: the scene, the questions, and the units of their answers in words.
 
-    A unit is `AS_WHOLE` for what is counted and `AS_PURE` for a number without one.
+    A unit is `AS_WHOLE` for a count and `AS_PURE` for a dimensionless number.
     """
 
     scene: str
@@ -65,13 +65,13 @@ class PartPrompt:
 
     @property
     def text(self) -> str:
-        """The whole prompt."""
+        """Return the whole prompt."""
         listed = (f"({label}) {question}" for label, question in zip(LABELS, self.questions, strict=False))
         return "\n\n".join([self.scene, "\n".join(listed), self.last_line])
 
     @property
     def last_line(self) -> str:
-        """Return how to give the answers."""
+        """Return the last line, on how to give the answers."""
         told = [f"({label}) {_told(unit)}" for label, unit in zip(LABELS, self.units, strict=False)]
         box = "; ".join(f"({label}) …" for label in LABELS[: len(self.units)])
         digits = DIGITS if any(unit != AS_WHOLE for unit in self.units) else ""
@@ -79,13 +79,13 @@ class PartPrompt:
         return FORMS[self.form].format(box=rf"\boxed{{{box}}}", units=each, digits=digits)
 
     def single(self, part: int, question: str) -> Iterator[str]:
-        """Yield the prompts of one part alone, in full words; one of them is as the library writes such."""
+        """Yield possible prompts of one part alone; one of them has the library's own form."""
         form = _single_form(self.units[part])
         for between in (" ", "\n\n"):  # a table ends with an empty line
             yield f"{self.scene}{between}{question} {form}"
 
     def after(self, part: int, answers: Sequence[str]) -> str:
-        """Return the prompt of one part that gives the answers to all before it."""
+        """Return the prompt of one part that gives the answers to all earlier parts."""
         before = [
             f"({label}) {question} {ANSWER} {answer}."
             for label, question, answer in zip(LABELS, self.questions[:part], answers, strict=False)
@@ -97,7 +97,7 @@ class PartPrompt:
 def together(
     description: Description, questions: Sequence[Question], words: Words, rng: np.random.Generator
 ) -> tuple[Prompt, tuple[str, ...]]:
-    """Return one prompt with several questions, in a shape that has the question last, and their texts in it.
+    """Return one prompt with several questions, in a shape that ends with the question, and the questions' texts in it.
 
     Where two in a row are about one moment, the second one calls it that moment.
     """
@@ -115,7 +115,7 @@ def together(
 
 
 def parse_parts(text: str, rng: np.random.Generator | None = None) -> tuple[ParsedPrompt, ...]:
-    """Read each part of a prompt by itself, as `parse_prompt` does; it raises what that does."""
+    """Return the meaning of each part of a prompt; errors are those of `parse_prompt`."""
     found = PartPrompt.read(text)
     parsed: list[ParsedPrompt] = []
     for part in range(len(found.questions)):

@@ -1,4 +1,4 @@
-"""How questions ask for a period or a frequency."""
+"""Phrases and sentences of questions for a period or a frequency."""
 
 from dataclasses import dataclass
 
@@ -18,13 +18,13 @@ PLURALS = {
     "frequency": "natural frequencies",
     "angular frequency": "natural angular frequencies",
 }
-PER_SECOND = ", in oscillations per second"  # said of natural frequencies, for which many would give ω
+PER_SECOND = ", in oscillations per second"  # for natural frequencies, often mistaken for angular ones
 LENGTHS = {2: ("longer", "shorter"), 3: ("longest", "shortest")}
 
 
 @dataclass(frozen=True, slots=True)
 class PeriodQuery(Query):
-    """The period of the motion of one body, or of small oscillations, of one body, of two against each other, of all.
+    """A query for the period of one body's motion, or of small oscillations of one, two or all bodies.
 
     `rank` counts modes of small oscillations by their frequency, from the slowest, of `modes` that there are. Of a
     `stable` equilibrium the text says so, since there may be others.
@@ -39,17 +39,17 @@ class PeriodQuery(Query):
 
     @property
     def subject(self) -> str:
-        """The first body that it speaks of."""
+        """Return the name of the first body."""
         return next(iter(self.of), "")
 
 
 def movers(words: Words) -> dict[str, str]:
-    """Return what moves and is spoken of: bodies, and arms that turn."""
+    """Return the phrases of moving bodies and arms by name."""
     return {**words.called(Bodies()), **words.called(TurningBodies())}
 
 
 def noun_of(query: PeriodQuery, words: Words) -> str:
-    """Return a text such as *the period of small oscillations of the block about the position of equilibrium*."""
+    """Return a phrase such as *the period of small oscillations of the block about the position of equilibrium*."""
     if not query.small:
         return _noun_of_motion(query, words)
     about = f"about {_place(query)}"
@@ -60,7 +60,7 @@ def noun_of(query: PeriodQuery, words: Words) -> str:
 
 
 def sentences(query: PeriodQuery, words: Words) -> tuple[str, ...]:
-    """Return all that ask for it, the most usual first."""
+    """Return all sentences of the query, the most usual first."""
     if not query.small:
         others = _of_motion(query, words)
     else:
@@ -73,7 +73,7 @@ def _place(query: PeriodQuery) -> str:
 
 
 def _of(query: PeriodQuery, words: Words) -> str:
-    """Of what small oscillations in one mode are, and about what."""
+    """Return the words for the bodies and the equilibrium of small oscillations with a single mode."""
     said = [movers(words)[name] for name in query.of]
     if len(said) > 1:
         return f"of {pair(*said)} relative to each other"
@@ -81,7 +81,7 @@ def _of(query: PeriodQuery, words: Words) -> str:
 
 
 def equilibrium_called(*, stable: bool) -> str:
-    """Return how a text calls it."""
+    """Return the phrase for an equilibrium position."""
     return "stable equilibrium" if stable else "equilibrium"
 
 
@@ -130,7 +130,7 @@ def _of_revolution(measure: str, said: str) -> tuple[str, ...]:
 
 
 def _revolves(mechanism: Mechanism, name: str) -> bool:
-    """Whether nothing but a uniform magnetic field acts on a body in its plane, so that it goes round in a circle."""
+    """Return whether only a uniform magnetic field acts on a body in its plane, so that its path is a circle."""
     forces = [force for force in mechanism.forces if force.body == name]
     alone = len(forces) == 1 and forces[0].region is None and not (mechanism.lines or mechanism.attractions)
     law = forces[0].law if alone else None
@@ -164,7 +164,7 @@ def _of_small(query: PeriodQuery, words: Words) -> tuple[str, ...]:
 
 
 def _of_modes(query: PeriodQuery) -> tuple[str, ...]:
-    """Of several modes; the slowest has the longest period."""
+    """Return the sentences for one of several modes, of which the slowest has the longest period."""
     count, last, place = query.modes, query.rank > 0, _place(query)
     plural, unit = PLURALS[query.measure], PER_SECOND if query.measure == "frequency" else ""
     which = (LENGTHS if query.measure == "period" else SIZES)[count][last]
@@ -175,7 +175,7 @@ def _of_modes(query: PeriodQuery) -> tuple[str, ...]:
 
 
 def attracted_by(mechanism: Mechanism, name: str) -> str:
-    """Return the fixed body about which another one goes, drawn by it; empty if there is none."""
+    """Return the name of the fixed body that another one orbits; empty if there is none."""
     for pull in mechanism.attractions:
         for one, other in ((pull.a, pull.b), (pull.b, pull.a)):
             if one == name and not center_path(mechanism, other).ways:

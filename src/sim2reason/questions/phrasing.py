@@ -1,4 +1,4 @@
-"""The sentences that ask for a noun phrase at a moment; the verbs are drawn by quota, not by chance alone."""
+"""Sentences that ask for a noun phrase at a moment, with verbs chosen by quota."""
 
 import re
 from dataclasses import replace
@@ -18,21 +18,21 @@ _OTHER = re.compile(r"\b(?:that|which|by) (?!which )\w")  # a clause with a subj
 
 
 def chosen(shapes: tuple[str, ...], rng: np.random.Generator) -> str:
-    """Return one of several sentences that ask the same: its verb by quota, then any with that verb."""
+    """Return one of several equivalent sentences: its verb by quota, then any with that verb."""
     verbs = [found.group() if (found := _VERB.search(shape.lower())) else "what" for shape in shapes]
     weights = np.array([QUOTA[verb] / verbs.count(verb) for verb in verbs])
     return shapes[int(rng.choice(len(shapes), p=weights / weights.sum()))]
 
 
 def sentence(shape: str) -> str:
-    """Return a shape as it stands in a text: with a capital."""
+    """Return a sentence with a capital letter."""
     return shape[0].upper() + shape[1:]
 
 
 def asking(target: Target, noun: Noun, when: str, again: str = "") -> tuple[str, ...]:
-    """Return all ways to ask for a quantity, a magnitude or a component, at a moment.
+    """Return all sentences that ask for a quantity, a magnitude or a component, at a moment.
 
-    `again` speaks of the moment after the noun phrase has named what it is about.
+    `again` is the phrase for the moment with a pronoun, for use after the noun phrase has named its subject.
     """
     if noun.timeless:
         return tuple(shape.replace(" {when}", "") for shape in _plain(noun.phrase, "{when}", "{when}"))
@@ -54,7 +54,7 @@ def asking(target: Target, noun: Noun, when: str, again: str = "") -> tuple[str,
 
 
 def asking_then(query: Query, words: Words, noun: Noun) -> tuple[str, ...]:
-    """Return all ways to ask for a quantity, in every phrase for its moment."""
+    """Return all sentences that ask for a quantity, with every phrase for its moment."""
     assert query.target is not None
     assert query.moment is not None
     noun, whens = spanning(query.moment, words, noun)
@@ -67,7 +67,7 @@ def asking_then(query: Query, words: Words, noun: Noun) -> tuple[str, ...]:
 
 
 def naming_then(query: Query, words: Words, noun: Noun) -> tuple[str, ...]:
-    """Return a quantity as a noun phrase with its moment, in every phrase for that."""
+    """Return noun phrases for a quantity with every phrase for its moment."""
     assert query.moment is not None
     if noun.timeless:
         return (noun.phrase,)
@@ -76,7 +76,7 @@ def naming_then(query: Query, words: Words, noun: Noun) -> tuple[str, ...]:
 
 
 def stating_then(query: Query, words: Words, noun: Noun, value: str) -> tuple[str, ...]:
-    """Return statements that a quantity has a value, with every phrase for its moment; those with verbs come first."""
+    """Return statements that a quantity has a value, with every phrase for its moment, those with verbs first."""
     assert query.moment is not None
     plain = tuple(f"{named} is {value}" for named in naming_then(query, words, noun))
     if noun.timeless:
@@ -92,7 +92,7 @@ def stating_then(query: Query, words: Words, noun: Noun, value: str) -> tuple[st
 
 
 def spanning(moment: Moment, words: Words, noun: Noun) -> tuple[Noun, tuple[str, ...]]:
-    """A noun with the phrases for its moment, or for the stretch up to that, if it is called something over one."""
+    """Return a noun with the phrases for its moment or, for a functional, for the interval up to the moment."""
     stretches = moment.stretches(words) if noun.over else ()
     if stretches:
         return replace(noun, phrase=noun.over), stretches
@@ -100,7 +100,7 @@ def spanning(moment: Moment, words: Words, noun: Noun) -> tuple[Noun, tuple[str,
 
 
 def again(moment: Moment, noun: str, when: str, words: Words) -> str:
-    """Return `when` with a pronoun for the moment's subject, *when it stops*, if `noun` names that subject alone.
+    """Return `when` with a pronoun for its subject, as in *when it stops*, if `noun` names the same subject.
 
     `noun` must name no other body or agent but the ground: after *the energy that the dashpot beside spring 2
     dissipates*, *it* would refer to the dashpot.

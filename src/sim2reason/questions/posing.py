@@ -70,7 +70,7 @@ class PosedQuestion:
         return words.units.spell(KINDS[self.query.kind].measured(self.query).unit)
 
     def followed(self, motion: FollowedMotion) -> Followed:
-        """Return the answer with the motion that leads to the answer, or the reason why there is none."""
+        """Return the answer with the motion that leads to it, or the reason why there is none."""
         if self.compare != VALUE or self.varied is not None:
             return self._compared(motion)
         if self.less is not None:
@@ -167,7 +167,7 @@ def _between(asked: StructuredQuestion, motion: FollowedMotion, words: Words) ->
 
 
 def _difference(first: Followed, second: Followed) -> Followed:
-    """Return the difference of two answers; the one that is missing, if one is."""
+    """Return the difference of two answers, or the missing one if either is missing."""
     if first.answer is None or second.answer is None:
         return first if first.answer is None else second
     return first._replace(answer=first.answer - second.answer)

@@ -1,4 +1,4 @@
-"""Prompts: the text of a scene, one question, one line on how to answer, in one of several shapes."""
+"""Prompts: the text of a scene, one question, and a line on the form of the answer, in one of several shapes."""
 
 import re
 from collections.abc import Iterator
@@ -48,14 +48,14 @@ _TURNED = re.compile(
 
 @dataclass(frozen=True)
 class Prompt:
-    """What is put to whoever solves it, and the name of the shape that it has."""
+    """The text of a problem and the name of its shape."""
 
     text: str
     shape: str
 
 
 def words_of(description: Description) -> Words:
-    """Return what questions need to know of a text."""
+    """Return the names, symbols and numbers of a description in the form that questions use."""
     scene = description.scene
     said = [(p.path, p) for p in scene.parameters if p.path in description.symbols]
     mentions = {address: description.mention(address) for address in scene.bodies}
@@ -71,7 +71,7 @@ def prompt(description: Description, question: Question, rng: np.random.Generato
 
 
 def shaped(description: Description, question: Question, rng: np.random.Generator) -> Prompt:
-    """Return the prompt in one of the shapes that this text and this question can have."""
+    """Return the prompt in a random shape that suits the text and the question."""
     form = _last_line(question, rng)
     body = composed(description, question.text, rng)
     after = "\n\n" if body.text.endswith("|") else " "
@@ -81,7 +81,7 @@ def shaped(description: Description, question: Question, rng: np.random.Generato
 def composed(
     description: Description, question: str, rng: np.random.Generator, *, question_last: bool = False
 ) -> Prompt:
-    """Scene and question in one of the shapes that they can have, or in one that ends with the question as it is."""
+    """Return scene and question in a random suitable shape, or in one that ends with the unchanged question."""
     names, shares = list(SHAPES), np.array([member.share for member in SHAPES.values()])
     order: list[int] = rng.choice(len(names), len(names), replace=False, p=shares / shares.sum()).tolist()
     for number in order:
@@ -92,7 +92,7 @@ def composed(
 
 
 def _last_line(question: Question, rng: np.random.Generator) -> str:
-    """Return how to give the answer."""
+    """Return the last line, on how to give the answer."""
     if question.formula is not None:
         form = SYMBOLIC[int(rng.random() * len(SYMBOLIC))]
         own = f", {IN_RADIANS}" if question.unit in ANGLES else ""
@@ -104,12 +104,12 @@ def _last_line(question: Question, rng: np.random.Generator) -> str:
 
 
 def _named(formula: Formula) -> Iterator[str]:
-    """Yield the symbols; an angle that stands in the formula as a number, too, is one in radians."""
+    """Yield the symbols of a formula, with *in radians* for angles outside trigonometric functions."""
     plain = _TURNED.sub("", formula.latex)
     for symbol, unit in zip(formula.symbols, formula.units, strict=True):
         yield f"${symbol}$ ({IN_RADIANS})" if unit in ANGLES and symbol in plain else f"${symbol}$"
 
 
 def unit_in_words(unit: str) -> str:
-    """Return a unit as a sentence has it: degrees are a word, all else a symbol."""
+    """Return a unit as it is written in a sentence: degrees as a word, all others as symbols."""
     return "degrees" if unit == "deg" else show_unit(unit)

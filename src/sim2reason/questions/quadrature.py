@@ -1,4 +1,4 @@
-"""Integrals over a motion, on the engine's own steps and between events."""
+"""Integrals over a motion, on the engine's steps and between events."""
 
 from collections.abc import Callable, Iterable
 
@@ -8,19 +8,19 @@ from numpy.polynomial.legendre import leggauss
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.simulation.trace import Trace, in_order
 
-POINTS = 6  # of Gauss's rule in each piece: exact for polynomials to the 11th degree, and no end of a piece is one
+POINTS = 6  # of Gaussian quadrature per interval: exact up to degree 11, without points at the ends
 _NODES, _WEIGHTS = leggauss(POINTS)
 
 
 def borders(trace: Trace, end: float) -> Array:
-    """Instants, s, from 0 to `end`, between which the motion is one smooth piece and no coordinate turns back."""
+    """Return times, s, from 0 to `end`, between which the motion is smooth and no coordinate reverses."""
     events = [event.time for event in trace.events]
     found = in_order(np.concatenate([[0.0, end], trace.knots(), events]))
     return found[(found >= 0.0) & (found <= end)]
 
 
 def integral(trace: Trace, rate: Callable[[State], Array], end: float, corners: Iterable[float] = ()) -> float:
-    """∫ rate dt from 0 to `end`, s; NaN where the rate, (n,), is. Jumps do no harm between pieces, nor at `corners`."""
+    """Return ∫ rate dt from 0 to `end`, s, by Gaussian quadrature; NaN if the rate, (n,), is NaN anywhere."""
     limits = borders(trace, end)
     inner = [time for time in corners if 0.0 < time < end]
     if inner:

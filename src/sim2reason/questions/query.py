@@ -1,4 +1,4 @@
-"""Queries without words, and the targets that a scene offers."""
+"""Queries, the language-independent form of questions, and the targets that a scene offers."""
 
 import re
 from collections import Counter
@@ -28,7 +28,7 @@ _SIZE = re.compile(r"the (?:magnitude of the )?([a-z ]+) (?:of|in) \{")  # as in
 
 @dataclass(frozen=True, slots=True)
 class Target:
-    """A quantity of a subject: a magnitude, or the component along a sense."""
+    """A quantity of a subject: a magnitude, or the component along a direction."""
 
     quantity: str
     subject: str
@@ -37,27 +37,27 @@ class Target:
 
     @property
     def unit(self) -> str:
-        """The unit of the answer."""
+        """Return the unit of the quantity."""
         return QUANTITIES[self.quantity].unit
 
     @property
     def signed(self) -> bool:
-        """Return whether a minus sign can be right."""
+        """Return whether the value may be negative."""
         return self.sense is not None
 
     def value(self, state: State) -> float:
-        """Return the value at the first instant of a state."""
+        """Return the value at the first instant of a state, in SI units."""
         return float(self.values(state)[0])
 
     def values(self, state: State) -> Array:
-        """Return the values at all instants of a state, (n,)."""
+        """Return the values at all instants of a state, in SI units, (n,)."""
         found = QUANTITIES[self.quantity].evaluate(state, self.subject)
         if found.ndim == 1:
             return found if self.signed else np.abs(found)
         return np.linalg.norm(found, axis=1) if self.sense is None else found @ np.array(self.way(state.mechanism))
 
     def way(self, mechanism: Mechanism) -> Vector:
-        """Along which the component is taken: the sense of that name in this mechanism, whose slope may be another."""
+        """Return the direction of the component in this mechanism, whose slopes may differ from the original one."""
         assert self.sense is not None
         quantity = QUANTITIES[self.quantity]
         if quantity.sense is not None:
@@ -69,10 +69,10 @@ class Target:
 
 @dataclass(frozen=True, slots=True)
 class Noun:
-    """The words for a target: a noun phrase, and where there are any a question, a clause and a statement of its own.
+    """The words for a target: a noun phrase and, for some, a question, a clause and a statement.
 
-    `how` keeps its placeholder ``{when}``, and `states` keeps ``{value}``; what is `timeless` is asked without a
-    moment, and what is called something `over` a stretch is asked from the start to the moment.
+    `how` keeps its placeholder ``{when}``, and `states` keeps ``{value}``. A `timeless` target is asked for without a
+    moment; a target with a phrase `over` an interval is asked for from the start to the moment.
     """
 
     phrase: str
@@ -83,7 +83,7 @@ class Noun:
     states: str = ""
 
     def heard(self, text: str) -> bool:
-        """Return whether a sentence can ask for it."""
+        """Return whether a sentence may ask for the target."""
         if self.phrase in text or any(words and words in text for words in (self.indirect, self.over)):
             return True
         subject, _, rest = self.states.partition("{value}")
@@ -139,7 +139,7 @@ def _moving(mechanism: Mechanism, name: str) -> str:
 
 
 def _own_line(along: str, quantity: Quantity, mechanism: Mechanism, name: str) -> list[Sense]:
-    """Return the direction of the only line along which a body moves, or about which it turns; none if it has none."""
+    """Return the direction of the only line of a body's motion, or of its axle; none if it is not unique."""
     if along == OWN_AXLE and quantity.of.name == TurningBodies.name:
         axes = turning_axes(mechanism, name)
         return [Sense(OWN_AXLE, axes[0][1])] if len(axes) == 1 else []
@@ -149,7 +149,7 @@ def _own_line(along: str, quantity: Quantity, mechanism: Mechanism, name: str) -
 
 @lru_cache(maxsize=4)
 def targets(words: Words) -> Targets:
-    """Everything that can be asked about, with its words; what they would not tell apart is left out."""
+    """Return all targets that can be asked for, with their words; ambiguous ones are left out."""
     offered = list(_phrased(words))
     count = Counter(noun.phrase for _, noun in offered)
     return {target: noun for target, noun in offered if count[noun.phrase] == 1}
@@ -165,7 +165,7 @@ def _phrased(words: Words) -> Iterator[tuple[Target, Noun]]:
 
 
 def _askable(quantity: Quantity, name: str, words: Words) -> bool:
-    """Return whether a subject has a quantity, and the text gives all that this needs."""
+    """Return whether a subject has a quantity, and the text gives all numbers that it needs."""
     return quantity.present(words.mechanism, name) and _told(quantity, name, words)
 
 
@@ -174,10 +174,9 @@ def _told(quantity: Quantity, name: str, words: Words) -> bool:
 
 
 def _of_subject(asked: list[Quantity], name: str, words: Words) -> Iterator[tuple[Target, Noun]]:
-    """Magnitudes, then components along the axes of the text, then what has a sense of its own.
+    """Yield targets of one subject: magnitudes, then components along the text's axes, then fixed directions.
 
-    Where the question would have to say which way is positive, it would tell the way: the size is asked for, if there
-    are words for it.
+    If a stated positive sense would reveal the direction, the magnitude is asked for instead.
     """
     if not asked:
         return
@@ -201,13 +200,13 @@ def _of_subject(asked: list[Quantity], name: str, words: Words) -> Iterator[tupl
 
 
 class _Filler:
-    """Fills the templates of quantities of one subject."""
+    """A filler of the placeholders in templates for quantities of one subject."""
 
     def __init__(self, name: str, words: Words) -> None:
         self._name, self._words = name, words
 
     def of(self, quantity: Quantity, template: str, component: str = "") -> str:
-        """Return a template with all but the moment filled in."""
+        """Return a template with all placeholders except the moment filled in."""
         if not template:
             return ""
         subject, words = quantity.of, self._words
@@ -220,7 +219,7 @@ class _Filler:
 
 @dataclass(frozen=True, slots=True)
 class Query:
-    """What a question asks: of its kind, about a quantity of a subject, at a moment; a kind may do without either."""
+    """What a question asks: its kind, its target and its moment; some kinds have no target or moment."""
 
     kind: str
     target: Target | None = None
@@ -228,17 +227,17 @@ class Query:
 
     @property
     def hides(self) -> str:
-        """The address of the number that the text must leave unknown for it; empty, by default, for none."""
+        """Return the address of the number that the text must leave open; by default empty."""
         return ""
 
     @property
     def subjects(self) -> tuple[str, ...]:
-        """Names of everything that the query is about; by default of its subject."""
+        """Return the names of all subjects of the query; by default one."""
         return (self.subject,)
 
     @property
     def subject(self) -> str:
-        """Return what it is about: the subject of its quantity, else the first that its moment speaks of."""
+        """Return the subject of the target, or else the first subject of the moment."""
         if self.target is not None:
             return self.target.subject
         return next(iter(self.moment.subjects), "") if self.moment is not None else ""

@@ -1,4 +1,4 @@
-"""Recurrence of a motion, and reasons why an event never occurs."""
+"""Periodicity of a motion, permanent rest, and reasons why an event never occurs."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -22,18 +22,18 @@ from sim2reason.simulation.quantities.subjects.pairs import members
 from sim2reason.simulation.quantities.subjects.paths import center_path, chain
 from sim2reason.simulation.trace import Trace, ending
 
-SAME, ERRS = 1e-6, 100.0  # of the greatest excursion and speed, or times what a step errs by: less is no difference
-MOST = 12  # instants that are tried
+SAME, ERRS = 1e-6, 100.0  # of the greatest displacement and speed; times the error of a step: tolerances of recurrence
+MOST = 12  # greatest number of candidate times
 
 
 @dataclass(frozen=True, slots=True)
 class Repetition:
-    """The first time that a body, and all that carries it, is where it was at the start and moves as it did then."""
+    """The first time that a body and its carriers are back in their initial state."""
 
     name: str
 
     def time(self, trace: Trace) -> float | None:
-        """Return when that is, s; None if it does not happen while the motion is described, or at an event."""
+        """Return the time, s; None if the state does not recur in the simulated motion, or only at an event."""
         mechanism = trace.mechanism
         names = [c.name for body in chain(mechanism, self.name) for c in body.coordinates]
         time = _first_return(trace, [mechanism.number[name] for name in names])
@@ -41,7 +41,7 @@ class Repetition:
 
 
 def is_autonomous(mechanism: Mechanism) -> bool:
-    """Return whether time has no part in the equations: no engine, no winch, no field that changes with time."""
+    """Return whether time does not occur in the equations: no engine, winch or time-dependent field."""
     return _is_steady(mechanism) and not mechanism.burns
 
 
@@ -53,7 +53,7 @@ def _is_steady(mechanism: Mechanism) -> bool:
 
 
 def first_return(trace: Trace) -> float | None:
-    """The time, s, at which all coordinates and velocities first are what they were at the start: then all repeats.
+    """Return the period, s: the first time at which all coordinates and velocities recur; None if there is none.
 
     None if they do not return while the motion is described, or if time has a part in the equations.
     """
@@ -62,7 +62,7 @@ def first_return(trace: Trace) -> float | None:
 
 
 def drift_return(trace: Trace) -> float | None:
-    """Return the time, s, at which everything but the position first has its initial value again; else None.
+    """Return the first time, s, at which everything but the position recurs; None if there is none.
 
     Then everything repeats itself elsewhere: all velocities, accelerations, angles and lengths. None if they do not
     return while the motion is described, or if bodies may meet, attract one another, or feel a field that differs.
@@ -81,7 +81,7 @@ def drift_return(trace: Trace) -> float | None:
     way = trace.scan.a[int(np.argmax(sizes >= 0.5 * sizes.max()))] if idle else start.a[0]
 
     def excess(state: State) -> Array:
-        """Return the change of velocity since the start, or of acceleration from zero, projected on `way`, (n,)."""
+        """Return the velocity change, or the acceleration, projected on its initial direction, (n,)."""
         return (state.a if idle else state.v - start.v[0]) @ way
 
     def alike(here: State) -> bool:
@@ -97,7 +97,7 @@ def drift_return(trace: Trace) -> float | None:
 
 
 def _felt(mechanism: Mechanism) -> list[int]:
-    """Return the numbers of the coordinates along which a field changes from place to place."""
+    """Return the indices of the coordinates along which a field varies."""
     laws = [force.law for force in mechanism.forces]
     ways = [law.profile.axis for law in laws if isinstance(law, Push | Magnetic) and law.profile.slope]
     coordinates = enumerate(mechanism.coordinates)
@@ -105,7 +105,7 @@ def _felt(mechanism: Mechanism) -> list[int]:
 
 
 def ends_at_rest(trace: Trace) -> bool:
-    """Return whether nothing moves or is accelerated at the end, and time has no part in the equations."""
+    """Return whether all velocities and accelerations are zero at the end, and the equations are autonomous."""
     end = trace.at(float(trace.state.times[-1]))
     fastest = float(np.abs(trace.scan.v).max(initial=0.0))
     at_rest = float(np.abs(end.v).max(initial=0.0)) <= STILL * fastest and not np.any(np.abs(end.a) > STILL)
@@ -113,9 +113,9 @@ def ends_at_rest(trace: Trace) -> bool:
 
 
 def rest_for_good(trace: Trace) -> float | None:
-    """Return the time, s, from which all is at rest for ever; None if it never is while the motion is described.
+    """Return the time, s, from which everything stays at rest; None if there is none in the simulated motion.
 
-    Of what comes to rest without an event, ever more slowly, that is the end of what is known.
+    For a motion that decays without an event, it is the end of the simulated motion.
     """
     if not ends_at_rest(trace):
         return None
@@ -126,7 +126,7 @@ def rest_for_good(trace: Trace) -> float | None:
 
 
 def uniform_from(trace: Trace) -> float | None:
-    """Return the time, s, of the last event if all moves uniformly for ever after it; None if it does not.
+    """Return the time of the last event, s, if all motion is uniform from then on; else None.
 
     Then no rocket has fuel left, and there is nothing that could be met, become taut, be entered, or attract.
     """
@@ -141,12 +141,12 @@ def uniform_from(trace: Trace) -> float | None:
 
 
 def nothing_new(trace: Trace) -> bool:
-    """Return whether all that comes after a motion's end is known: it has come to rest for ever, or repeats itself."""
+    """Return whether the motion after the end of the simulation is known: permanent rest, or a repetition."""
     return ends_at_rest(trace) or first_return(trace) is not None
 
 
 def flies_off(trace: Trace, name: str) -> bool:
-    """Whether a body that nothing but the gravitation of others keeps from flying on leaves all of them for ever.
+    """Return whether a body under gravitation of the others alone escapes from all of them.
 
     It recedes from each, and is faster than it must be to escape: v² > 2 Σ GM/r. Where others move, too, that one of
     them overtakes it is left out of account.
@@ -169,9 +169,10 @@ def flies_off(trace: Trace, name: str) -> bool:
 
 
 def _first_return(trace: Trace, numbers: Sequence[int]) -> float | None:
-    """Return when some coordinates and their velocities are what they were, whole turns of hinges aside.
+    """Return the first time, s, at which given coordinates and their velocities recur, up to full turns of hinges.
 
-    Then a sum of the coordinates that grows at the start, or of the velocities of what begins at rest, does so again.
+    Candidates are zero crossings of the coordinates, or of the velocities of a motion that starts from rest, projected
+    on their initial direction.
     """
     mechanism, start, number = trace.mechanism, trace.at(0.0), list(numbers)
     hinges = np.array([mechanism.coordinates[n].kind == "hinge" for n in number], dtype=np.bool_)
@@ -184,11 +185,11 @@ def _first_return(trace: Trace, numbers: Sequence[int]) -> float | None:
     turned = hinges & (not any(line.wheels for line in mechanism.lines))  # unless a line is wound up
 
     def gone(state: State) -> Array:
-        """Return how far from the start."""
+        """Return the change of the coordinates since the start, (n, c)."""
         return state.q[:, number] - start.q[0, number]
 
     def excess(state: State) -> Array:
-        """Return how far it has gone the way that it went at first, or how fast it goes it."""
+        """Return the displacement, or the velocity, projected on its initial direction, (n,)."""
         return (np.where(turned, np.sin(gone(state)), gone(state)) if moves else state.v[:, number]) @ way
 
     def alike(here: State) -> bool:
@@ -200,14 +201,14 @@ def _first_return(trace: Trace, numbers: Sequence[int]) -> float | None:
     return next((time for time in islice(crossings(trace, excess), MOST) if alike(trace.at(time))), None)
 
 
-EVENTLESS = 1e3  # times the time of the last event: where nothing bends, nothing new comes after it
-PLACES = ("displacement", "extension", "spring length", "deflection", "angle turned")  # given by coordinates alone
-BOTH = 2  # times that a motion turns back: once on each side
-TURNED = 1e-3  # of the greatest excursion: what comes back has not turned all the way round
+EVENTLESS = 1e3  # times the time of the last event: uniform motion up to then remains eventless
+PLACES = ("displacement", "extension", "spring length", "deflection", "angle turned")  # quantities of position
+BOTH = 2  # reversals of a motion, one on each side
+TURNED = 1e-3  # of the greatest displacement: a returned coordinate has made no full turn
 
 
 def why_never(moment: Moment | None, trace: Trace) -> str:
-    """Return a clause explaining why a moment, or the repetition of a motion, never occurs; empty if it may yet occur.
+    """Return a clause explaining why a moment or a repetition never occurs; empty if it still may.
 
     A motion whose description ends before the moment never reaches the moment.
     """
@@ -232,7 +233,7 @@ def why_never(moment: Moment | None, trace: Trace) -> str:
 
 
 def confined(moment: Moment | None, trace: Trace) -> bool:
-    """Return whether a motion along one coordinate has turned back on both sides and so never reaches a place.
+    """Return whether a motion along one coordinate has reversed on both sides and so never reaches a position.
 
     A force that depends on that coordinate alone has a potential, and all other forces take energy away. At a turning
     point the energy equals the potential there, so that the motion never passes a turning point again.
@@ -246,7 +247,7 @@ def confined(moment: Moment | None, trace: Trace) -> bool:
 
 
 def flies_away(moment: Moment | None, trace: Trace) -> bool:
-    """Return whether a moment never occurs because the bodies that take part in the moment fly off for ever.
+    """Return whether a moment never occurs because its bodies escape to infinity.
 
     If only one of two moving bodies flies off, the other may still go round and overtake it again and again.
     """
@@ -264,14 +265,14 @@ def _last_change(trace: Trace) -> float:
 
 
 def _own(trace: Trace) -> float:
-    """Return the time, s, in which the initial accelerations double the initial velocities, at least 1 s."""
+    """Return the time, s, in which the initial accelerations double the initial velocities; at least 1 s."""
     start = trace.at(0.0)
     speeds, rates = np.abs(start.v[0]).max(initial=0.0), np.abs(start.a[0]).max(initial=0.0)
     return float(max(1.0, speeds / rates if rates else 0.0))
 
 
 def _period(trace: Trace) -> float | None:
-    """Return the period of a motion, s; None if there is none, or if a hinge makes whole turns in a period."""
+    """Return the period of a motion, s; None if there is none, or a hinge makes full turns in it."""
     period = first_return(trace)
     if period is None:
         return None

@@ -1,4 +1,4 @@
-"""Moments that a question has just told: a next one calls them *that moment*, and reading says which one it is."""
+"""References to the moment of the preceding question as *that moment*, and their resolution."""
 
 from collections.abc import Iterator
 
@@ -11,7 +11,7 @@ THAT = "that moment"
 
 
 def referring(text: str, moment: Moment | None, words: Words) -> str:
-    """Return a question about a moment that the question before has told; as it is if its words can't be shortened."""
+    """Return a question with *that moment* for the preceding question's moment; unchanged if that is not shorter."""
     for told, short in _phrases(moment, words):
         if told in text:
             return text.replace(told, short, 1)
@@ -21,7 +21,7 @@ def referring(text: str, moment: Moment | None, words: Words) -> str:
 
 
 def spelled_out(text: str, moment: Moment | None, words: Words) -> Iterator[str]:
-    """Yield all that a question can have meant by *that moment*, if the one before spoke of a moment."""
+    """Yield all possible meanings of a question with *that moment*, given the moment of the preceding one."""
     for told, short in _phrases(moment, words):
         if text.startswith(sentence(short)):
             yield sentence(told) + text.removeprefix(sentence(short))
@@ -30,7 +30,7 @@ def spelled_out(text: str, moment: Moment | None, words: Words) -> Iterator[str]
 
 
 def _phrases(moment: Moment | None, words: Words) -> list[tuple[str, str]]:
-    """Return how a question speaks of a moment in full and in short, the longest first; nothing of other moments.
+    """Return the full and the short phrases for a moment, longest first; none for other moments.
 
     Those just before or after an event must say so.
     """

@@ -1,4 +1,4 @@
-"""The units in which a text speaks: from the SI into another system, and back.
+"""Systems of units in texts: conversion of texts from SI units and back.
 
 Only the text changes. Factors are exact decimals, so that what is said stays what is simulated, to the last digit.
 """
@@ -17,8 +17,8 @@ from sim2reason.scenes.dsl.unit_text import factors
 from sim2reason.scenes.dsl.units import MINUTE, UnitError, coherent, parse_unit
 
 MINUS = "\N{MINUS SIGN}"
-LARGE = 5  # the power of ten from which on a number is written with one: 2.6×10⁵
-DIGITS = 12  # of a number that was converted back
+LARGE = 5  # power of ten from which numbers are in scientific notation: 2.6×10⁵
+DIGITS = 12  # significant digits of a converted number
 _RAISED, _LOWERED = "⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789"
 _DECIMAL = rf"{MINUS}?\d+(?:\.\d+)?(?:×10[{_RAISED}]+)?"
 _PRODUCT = "[A-Za-zµΩ²³⁴·]+"
@@ -28,7 +28,7 @@ _HEADING = re.compile(r" \(([^()\s]+)\)$")
 
 @dataclass(frozen=True, eq=False)
 class SpokenUnits:
-    """A system of units for texts, by what it says in place of units of the SI, each with what one of these is in it.
+    """A system of units for texts: its replacements of SI units, each with the size of an SI unit in it.
 
     `whole` are units as they stand, such as m/s; `words` stand for m, kg, N and J wherever they occur in a unit, with
     prefixes, too.
@@ -40,11 +40,11 @@ class SpokenUnits:
 
     @property
     def says_otherwise(self) -> bool:
-        """Return whether it says anything but units of the SI."""
+        """Return whether the system differs from the SI."""
         return bool(self.words or self.whole)
 
     def spelled(self, unit: str) -> tuple[str, Decimal]:
-        """The canonical unit in which it says what has a canonical unit of the SI, and what one of these is in it.
+        """Return the system's unit in place of an SI unit, and the size of the SI unit in it.
 
         Electrical units stay as they are, since of those each system has several, and so do those of astronomy.
         """
@@ -63,7 +63,7 @@ class SpokenUnits:
         return (spelled if spelled != found.name else unit), factor
 
     def _said_for(self, word: str) -> tuple[str, Decimal] | None:
-        """Return what it says in place of one unit, which may have a prefix: for km as for m, with another factor."""
+        """Return the replacement of a single unit, which may have a prefix, and its factor; None if there is none."""
         if word in self.words:
             return self.words[word]
         bare, scale = coherent(word)
@@ -71,7 +71,7 @@ class SpokenUnits:
         return (other[0], other[1] * scale) if other is not None else None
 
     def beside(self, text: str, *more: tuple[float, str]) -> "SpokenUnits":
-        """Return what of it suits a text in the SI, and `more` numbers with their units.
+        """Return the part of the system that suits a text with SI units, and `more` numbers with their units.
 
         A `whole` unit stays, and all that have its metres or kilograms do, where a number in another would need a power
         of ten, or the text has a second unit for the like of it, as m/s beside km/s.
@@ -85,7 +85,7 @@ class SpokenUnits:
 
 
 def _is_odd(unit: str, other: tuple[str, Decimal], numbers: Iterable[tuple[float, str]]) -> bool:
-    """Return whether nobody would say another unit in place of one, beside some numbers with their units."""
+    """Return whether the other unit is unusual for the text's numbers of this kind."""
     name, factor = other
     alike = [(number, found) for number, found in numbers if parse_unit(found).dimension == parse_unit(unit).dimension]
     if any(parse_unit(found).name not in (unit, name) for _, found in alike):
@@ -94,12 +94,12 @@ def _is_odd(unit: str, other: tuple[str, Decimal], numbers: Iterable[tuple[float
 
 
 def _mechanical(unit: str) -> set[str]:
-    """Return the units of length and mass, or made of such, in another."""
+    """Return the units of length and mass, and those derived from them, within a compound unit."""
     return {word for word, _ in factors(unit) if _is_mechanical(word)}
 
 
 def _is_mechanical(word: str) -> bool:
-    """Return whether a unit measures lengths or masses, or is made of such."""
+    """Return whether a unit's dimension involves length or mass."""
     dimension = parse_unit(word).dimension
     return bool(dimension.length or dimension.mass)
 
@@ -132,14 +132,14 @@ The last says them only where a text would: a rocket's mass stays in kilograms.
 
 
 def system_named(name: str) -> SpokenUnits:
-    """Return a system of units by its name; UnknownNameError with the names there are."""
+    """Return a system of units by name; UnknownNameError, which lists all systems, for an unknown one."""
     if name not in tuple(SYSTEMS):  # which takes what is no key, too
         raise UnknownNameError(f"no such units: {name!r}; there are: {', '.join(SYSTEMS)}")
     return SYSTEMS[name]
 
 
 def spoken_in(system: SpokenUnits, text: str) -> str:
-    """Return a text with all its numbers in a system of units, instead of the SI."""
+    """Return a text with all its SI numbers converted to a system of units."""
 
     def said(number: str, unit: str) -> tuple[str, str] | None:
         other, factor = _spelled(system, unit)
@@ -173,7 +173,7 @@ def in_si(text: str) -> tuple[str, ...]:
 
 @lru_cache(maxsize=1024)
 def _spelled(system: SpokenUnits, shown: str) -> tuple[str, Decimal]:
-    """As `SpokenUnits.spelled`, of units as they are printed; what is none stays as it is."""
+    """Return the same as `SpokenUnits.spelled` for a printed unit; unchanged if it is not a unit."""
     try:
         unit, factor = system.spelled(shown)
     except UnitError:
@@ -183,7 +183,7 @@ def _spelled(system: SpokenUnits, shown: str) -> tuple[str, Decimal]:
 
 @cache
 def _restored(shown: str) -> tuple[str, Decimal]:
-    """Return the printed unit of the SI for one of another system, and what one of it is in that."""
+    """Return the printed SI unit for one of another system, and the size of the latter in it."""
     try:
         name = parse_unit(shown).name
     except UnitError:
@@ -214,7 +214,7 @@ def _converted(text: str, said: Said) -> str:
 
 
 def _numbers_in(text: str) -> Iterator[tuple[float, str]]:
-    """Yield all numbers of a text that have a unit, with that."""
+    """Yield all numbers in a text that have a unit, with their units."""
     found = list[tuple[str, str]]()
 
     def noted(number: str, unit: str) -> tuple[str, str]:
@@ -228,7 +228,7 @@ def _numbers_in(text: str) -> Iterator[tuple[float, str]]:
 
 
 def _table(rows: list[str], said: Said) -> list[str]:
-    """Return a Markdown table, whose headings have the units of the numbers below them."""
+    """Return a Markdown table with converted numbers and the units in its headings."""
     cells = [row.strip("| ").split(" | ") for row in rows]
     for column, heading in enumerate(cells[0]):
         unit = _HEADING.search(heading)
@@ -247,7 +247,7 @@ def _number(text: str) -> Decimal:
 
 
 def _written(value: Decimal) -> str:
-    """With all its digits; a large one with a power of ten."""
+    """Return a number with all its digits, in scientific notation if large."""
     if value and value.adjusted() >= LARGE:
         power = str(value.adjusted()).translate(str.maketrans(_LOWERED, _RAISED))
         text = f"{value.scaleb(-value.adjusted()):f}×10{power}"
@@ -257,7 +257,7 @@ def _written(value: Decimal) -> str:
 
 
 def _plain(value: Decimal) -> str:
-    """With two significant digits at least, and no zero at the end beyond them."""
+    """Return a number with at least two significant digits and no further trailing zeros."""
     value = +value.quantize(Decimal(1).scaleb(value.adjusted() - DIGITS + 1)).normalize() if value else value
     if value and len(value.as_tuple().digits) < 2:
         value = value.quantize(Decimal(1).scaleb(value.adjusted() - 1))

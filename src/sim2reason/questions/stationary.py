@@ -1,4 +1,4 @@
-"""Where the answer to a question is greatest or least as a function of one number of the scene."""
+"""Extremes of an answer as a function of one number of the scene."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -7,16 +7,16 @@ from typing import NamedTuple
 
 from sim2reason.questions.dependence import Dependence
 
-FEW = 5  # values that are looked at first: without one turn among them, no others are
-STRIDE = 2  # of those that are looked at then
-STEP = 0.01  # relative: of the differences that derivatives are taken by
-ROUNDS = 6  # of Newton's method
-FARTHEST = 0.2  # relative: how far one of them may lead
-EXACT, SAME = 1e-8, 5e-7  # relative: where it ends; where a place that is known is the place
+FEW = 5  # values of the first pass; without a single reversal among them the search ends
+STRIDE = 2  # stride through the values of the second pass
+STEP = 0.01  # relative: step of finite differences
+ROUNDS = 6  # iterations of Newton's method
+FARTHEST = 0.2  # relative: largest total step
+EXACT, SAME = 1e-8, 5e-7  # relative: tolerance of convergence; tolerance for a known extreme
 
 
 class StationaryValue(NamedTuple):
-    """Where an answer is greatest or least, and what it is there."""
+    """An extreme: the value of the number, the answer there, and whether it is a maximum."""
 
     place: float
     value: float
@@ -24,14 +24,14 @@ class StationaryValue(NamedTuple):
 
 
 class StationaryPoint:
-    """Looks for the only value of a number for which an answer is greatest or least."""
+    """A search for the unique extreme of an answer as a function of a number."""
 
     def __init__(self, dependence: Dependence) -> None:
-        """`dependence` is that of the answer on the number."""
+        """Prepare the search, given the answer as a function of the number."""
         self._answer = dependence
 
     def among(self, values: Sequence[float]) -> StationaryValue | None:
-        """Return the only extreme between the first and the last of some values, at least three, in order.
+        """Return the only extreme among at least three values in ascending order.
 
         None if there are several or none, or not all values have an answer.
         """
@@ -44,7 +44,7 @@ class StationaryPoint:
         return self.near(_vertex([(at, self._answer(at) or 0.0) for at in (low, middle, high)]), greatest=greatest)
 
     def _turn(self, values: Sequence[float]) -> tuple[float, float, float, bool] | None:
-        """The neighbours between which the answer turns back, if it does so once; whether it is greatest there."""
+        """Return three neighbouring values around the only reversal and whether it is a maximum; None if not unique."""
         found = list[float]()
         for value in values:
             answer = self._answer(value)
@@ -59,7 +59,7 @@ class StationaryPoint:
         return values[n], values[n + 1], values[n + 2], rises[n]
 
     def near(self, about: float, *, greatest: bool) -> StationaryValue | None:
-        """Return the extreme close to a value: just there, if it is there; None if none is."""
+        """Return the extreme close to a value, by Newton's method; None if there is none."""
         at = about
         for turn in range(ROUNDS):
             step = STEP * abs(at)
@@ -85,7 +85,7 @@ class StationaryPoint:
 
 
 def _vertex(points: Sequence[tuple[float, float]]) -> float:
-    """Return where the parabola through three points turns back."""
+    """Return the position of the vertex of the parabola through three points."""
     (low, a), (middle, b), (high, c) = points
     left, right = (middle - low) * (b - c), (middle - high) * (b - a)
     return middle - 0.5 * ((middle - low) * left - (middle - high) * right) / (left - right)

@@ -1,4 +1,4 @@
-"""Questions given in parts instead of a sentence: the quantity to find, its subject, and the moment."""
+"""Questions given in parts instead of a sentence: the quantity to find, its subject and the moment."""
 
 import re
 from collections.abc import Iterable, Mapping
@@ -14,7 +14,7 @@ from sim2reason.scenes.dsl.units import UnitError, parse_unit
 from sim2reason.simulation.quantities.subjects import Sense
 
 START = "at start"
-EQUILIBRIUM = "equilibrium"  # as a part: no moment of a motion
+EQUILIBRIUM = "equilibrium"  # the name of the equilibrium in place of a moment
 REMOVAL = re.compile(r"(?P<what>\S.*?) (?:removed|cut|switched off)(?: (?:(?:at|when|after) )?(?P<when>.+))?$")
 """A change that removes something at some moment of the motion: a string that is cut, a field that is switched off."""
 CHANGE = re.compile(r"(?P<number>.+?)(?:\s*(?P<sign>[=×*])\s*|\s+[xX]\s*(?=[\d.]))(?P<value>.+)")
@@ -67,7 +67,7 @@ class StructuredQuestion:
 
     @property
     def told(self) -> str:
-        """Return the parts of the question as one text, for use where no sentence is available."""
+        """Return the parts of the question as one text."""
         parts = {"find": self.find, "of": self.of, "when": self.when, "along": self.along, "given": self.given}
         compare = self.compare or ("ratio" if self.change and REMOVAL.search(self.change) is None else "")
         parts |= {"change": self.change, "compare": compare}
@@ -75,7 +75,7 @@ class StructuredQuestion:
 
 
 def resolved(place: str, said: str, candidates: Mapping[str, str]) -> str:
-    """Return the name in `candidates`, a mapping from names to phrases of the text, to which `said` refers.
+    """Return the name of the candidate, among names with their phrases, that a text denotes; TextError if not unique.
 
     `said` may be the name, the phrase with or without an article, or a part that only one candidate has. If `said` is
     empty, the only candidate is meant. TextError, at `place`, if no candidate matches, or several do.
@@ -115,7 +115,7 @@ def _meant(said: str, names: Iterable[str], shown: Iterable[str] | None = None) 
 
 
 def one_of(place: str, said: str, names: Iterable[str]) -> str:
-    """Return `said` if it is one of `names`; otherwise raise TextError, at `place`, with the nearest names."""
+    """Return `said` if it is one of `names`; TextError, at `place`, with the nearest names, otherwise."""
     known = list(dict.fromkeys(names))
     if said not in known:
         raise TextError(place, f"there is no {said!r}", _meant(said, known))
@@ -192,7 +192,7 @@ def _measures(cls: type[Moment], words: Words) -> dict[str, str]:
 
 
 def _same(of: str, candidates: Mapping[str, str]) -> str:
-    """Return the candidate that matches the question's subject; empty if none does."""
+    """Return the candidate that denotes the question's subject; empty if there is none."""
     try:
         return resolved("when", of, candidates) if of else ""
     except TextError:

@@ -1,4 +1,4 @@
-"""Recorded motion of a scene and of scenes like it, and the directions of motion."""
+"""The recorded motion of a scene and its variants, and directions of motion."""
 
 from collections.abc import Callable, Hashable, Mapping
 from typing import Protocol, Self
@@ -13,10 +13,10 @@ from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, FINEST, Trace
 
-SHORTEST = 1e-2  # of a motion: no variant of it is followed for less
-ENOUGH = 1e-8  # relative: what a step may err by in a motion whose answers are equal to this one's, or are not
-COARSE = 1e-6  # relative: or in one that matters only by how much its answers differ, or where they clearly do
-BEYOND = 1.1  # times the moment that is asked about, to which variants and the witness follow a motion
+SHORTEST = 1e-2  # of a motion: least duration of its variants
+ENOUGH = 1e-8  # relative: error of integration steps if answers are compared for equality
+COARSE = 1e-6  # relative: error of integration steps if only clear differences of answers matter
+BEYOND = 1.1  # factor on the time of the moment: duration of variants and of the second engine's motion
 
 
 Change = Callable[[Mechanism], Mechanism]
@@ -26,18 +26,18 @@ Made = tuple[Scene, Mechanism, Change | None]
 
 
 class Timed(Hashable, Protocol):
-    """What comes at some time of a motion."""
+    """The protocol of moments: hashable objects with a time in a motion."""
 
     def time(self, trace: Trace) -> float | None:
-        """Return when it comes, s; None if it does not."""
+        """Return the time, s; None if the moment does not occur."""
         ...
 
 
 class Study(Memo):
-    """A scene with its motion, which all questions and filters about it share; nothing is worked out twice."""
+    """A scene with its motion, shared by all questions and filters, with cached derived results."""
 
     def __init__(self, scene: Scene, trace: Trace, change: Change | None = None) -> None:
-        """`trace` is the motion of `scene`, as the recorded engine has it, or of its mechanism after a `change`."""
+        """Wrap the motion of `scene` from the recorded engine, or that of its mechanism after a `change`."""
         self.scene, self.trace, self.change = scene, trace, change
         self._times: dict[Timed, float | None] = {}
         self._variants: dict[object, tuple[Study | None, float]] = {}  # and until when they are known
@@ -55,11 +55,11 @@ class Study(Memo):
 
     @property
     def mechanism(self) -> Mechanism:
-        """Return what moves."""
+        """Return the mechanism of the motion."""
         return self.trace.mechanism
 
     def time(self, moment: Timed) -> float | None:
-        """Return when a moment comes, s; None if it does not come while the motion is described."""
+        """Return the time of a moment, s; None if it does not occur in the simulated motion."""
         try:
             return self._times[moment]
         except KeyError:
@@ -67,19 +67,19 @@ class Study(Memo):
             return found
 
     def variant(self, scene: Scene, until: float | None = None, error: float = COARSE) -> "Study | None":
-        """A changed scene with its motion until a time, s, by default as long as this one's; None if there is none.
+        """Return a changed scene with its motion until a time, s, by default as long as this one; None if it fails.
 
-        `error` is what a step may err by, relative.
+        `error` is the relative error allowed in an integration step.
         """
         return self._followed((scene, error), lambda: (scene, scene.mechanism, None), until, error)
 
     def with_values(self, values: Mapping[str, float], until: float | None = None) -> "Study | None":
-        """The motion with other values at some addresses of the scene, until a time, s; None if there is none."""
+        """Return the motion with other values at some addresses, until a time, s; None if it fails."""
         scene = self._having(values)
         return None if scene is None else self.variant(scene, until)
 
     def likewise(self, values: Mapping[str, float]) -> "Study | None":
-        """Return the motion with other values, changed as this one is and followed as far, to the same accuracy.
+        """Return the motion with other values, with the same change, duration and accuracy; None if it fails.
 
         None if there is none.
         """
@@ -94,7 +94,7 @@ class Study(Memo):
         return self._followed(("likewise", tuple(values.items())), make, None, error)
 
     def _having(self, values: Mapping[str, float]) -> Scene | None:
-        """Return the scene with other values, or None if there is none; several filters ask for the same ones."""
+        """Return the scene with other values, from a cache; None if it is invalid."""
         key = tuple(values.items())
         if key not in self._scenes:
             try:
@@ -104,7 +104,7 @@ class Study(Memo):
         return self._scenes[key]
 
     def changed(self, name: Hashable, change: Change, until: float | None = None) -> "Study | None":
-        """The scene with its mechanism changed, and the motion of that; `name` is that of the change among all."""
+        """Return the motion of the changed mechanism; `name` identifies the change in the cache; None if it fails."""
         whole = change if self.change is None else _one_after(self.change, change)
         return self._followed(name, lambda: (self.scene, change(self.mechanism), whole), until)
 
@@ -128,7 +128,7 @@ class Study(Memo):
         return known if known is None or reaches == until else self._cut(key, known, until)
 
     def _cut(self, key: object, known: "Study", until: float) -> "Study":
-        """A variant as if nobody had asked to follow it any longer: what one question finds hangs on no other."""
+        """Return a variant truncated to a time, s, so that results do not depend on the order of queries."""
         if (key, until) not in self._shorter:
             self._shorter[key, until] = Study(known.scene, known.trace.until(until), known.change)
         return self._shorter[key, until]
@@ -145,15 +145,14 @@ def _made(made: Made, until: float, error: float) -> Study | None:
     return Study(scene, ENGINES[RECORDED](mechanism, np.array([0.0, until]), error), change)
 
 
-TURNING = 1e-6  # of the mean speed: what is slower turns
-STILL = 1e-9  # of the largest: a coordinate that has changed by less, or begins to, has not
+TURNING = 1e-6  # of the mean speed: a slower coordinate is reversing
+STILL = 1e-9  # of the largest change: smaller changes are zero
 
 
 def ways(study: Study, time: float) -> tuple[float, ...]:
-    """Return which way each coordinate has changed by a time, or begins to, and whether it turns then.
+    """Return the sign of each coordinate's change by a time, s, or of its beginning, and whether it reverses then.
 
-    In between, a magnitude passes through zero, or a pendulum that turns becomes one that goes over the top, and
-    between them takes for ever.
+    Between motions with different results a magnitude passes through zero, or a swing becomes a full turn.
     """
     start, end = study.trace.at(0.0), study.trace.at(time)
     changes = end.q[0] - start.q[0] if time else start.a[0]

@@ -1,14 +1,14 @@
-"""How near an answer must come to the right one."""
+"""The relative tolerance of answers."""
 
 TOLERANCE = 0.05
 """The relative error that an answer may have, by default: that of the paper."""
 STRICTEST = 0.005
 """The smallest one that is of use: answers are asked for to three digits."""
-NEARLY = 1.2  # of the tolerance: an answer that is off by less may be paid, or nearly
+NEARLY = 1.2  # of the tolerance: larger errors are clearly incorrect
 
 
 def out_of_range(tolerance: float) -> str:
-    """Return why no answer may have a relative error; empty if it may."""
+    """Return why a relative tolerance is invalid; empty if it is valid."""
     if STRICTEST <= tolerance <= TOLERANCE:
         return ""
     return f"{tolerance!r} is none; give a number from {STRICTEST} to {TOLERANCE}"

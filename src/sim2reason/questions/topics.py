@@ -1,4 +1,4 @@
-"""Which sentences of a text matter to some questions only, and whether they do to one."""
+"""Topics of sentences that matter only to some questions."""
 
 from collections.abc import Callable, Collection, Iterator
 from math import inf, isclose
@@ -14,24 +14,24 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.template import Topic
 from sim2reason.simulation.trace import happened
 
-STRIDE = 6  # every sixth point of an unknown's range is looked at
+STRIDE = 6  # stride through the range of an unknown number
 AXES = "x", "y", "z"
-STRAIN = ".strain.by"  # path of the number that tells how far a spring is stretched or compressed at the start
-SHIFTED, FROM_NONE = 0.9, (0.05, 0.01)  # other strains: a factor, and values in m for a relaxed spring
-SAME = 1e-6  # relative, and in SI units: answers that differ by less are one
+STRAIN = ".strain.by"  # final part of the address of a spring's initial strain
+SHIFTED, FROM_NONE = 0.9, (0.05, 0.01)  # altered strains: a factor, and values in m for a relaxed spring
+SAME = 1e-6  # relative, and in SI units: answers that differ by less are equal
 TOPICS: tuple[Topic, ...] = get_args(Topic)
 
 
 def irrelevant(question: Question, study: Study, among: Collection[Topic] = TOPICS) -> frozenset[Topic]:
-    """Return the topics among those of a text that do not matter to a question, on which it need say nothing.
+    """Return the topics that do not matter to a question, so that the text may omit their sentences.
 
-    Of what the text leaves open, only what is so for all that its numbers could be counts.
+    With an unknown number, a topic is irrelevant only if it is for all usual values of the number.
     """
     return frozenset(topic for topic, matters in MATTERS.items() if topic in among and not matters(question, study))
 
 
 def _uses_axes(question: Question, study: Study) -> bool:
-    """Return whether a component along an axis is asked about, or says when the moment is."""
+    """Return whether a question is about a component along an axis, or its moment refers to one."""
     del study
     moment = question.query.moment
     targets = question.query.target, moment.target if isinstance(moment, Reached) else None
@@ -39,7 +39,7 @@ def _uses_axes(question: Question, study: Study) -> bool:
 
 
 def _slackens(question: Question, study: Study) -> bool:
-    """Return whether a string goes slack before what is asked about, or may with other numbers than the text tells."""
+    """Return whether a string goes slack before the moment, or may with other values of the unknown number."""
     query = question.query
     if query.hides:
         return True
@@ -53,7 +53,7 @@ def _slackens(question: Question, study: Study) -> bool:
 
 
 def _others(question: Question, study: Study) -> Iterator[Study]:
-    """Yield motions with other values of the number that a text leaves unknown, as long as what is asked may take."""
+    """Yield motions with other values of the unknown number, for the usual duration of the question."""
     time = KINDS[question.query.kind].time(question.query, study)
     until = time * BEYOND if time is not None else None
     values = range_of(study.scene, question.unknown)[::STRIDE] if question.unknown else ()
@@ -61,13 +61,13 @@ def _others(question: Question, study: Study) -> Iterator[Study]:
 
 
 def _has_slackened(question: Question, study: Study) -> bool:
-    """Return whether some string goes slack before what is asked about, or before the end where that does not come."""
+    """Return whether a string goes slack before the moment, or before the end if the moment does not occur."""
     time = KINDS[question.query.kind].time(question.query, study)
     return any(event.kind == "slack" for event in happened(study.trace.events, inf if time is None else time))
 
 
 def depends_on_start(query: Query, study: Study) -> bool:
-    """Return whether the answer to a query depends on how the motion starts, or on the initial strain of springs.
+    """Return whether the answer to a query depends on the initial motion or the initial strain of springs.
 
     Springs between two walls exert forces in equilibrium, too. These depend on the natural lengths, which a text tells
     by the initial strain.
@@ -82,7 +82,7 @@ def depends_on_start(query: Query, study: Study) -> bool:
 
 
 def _other_strains(scene: Scene) -> Iterator[dict[str, float]]:
-    """Yield other initial strains of each spring, by the path of the number; a relaxed spring is strained a little."""
+    """Yield other initial strains of each spring, by address."""
     for parameter in scene.parameters:
         if parameter.path.endswith(STRAIN):
             values = (SHIFTED * parameter.value,) if parameter.value else FROM_NONE
@@ -90,7 +90,7 @@ def _other_strains(scene: Scene) -> Iterator[dict[str, float]]:
 
 
 def _depends_on_start(question: Question, study: Study) -> bool:
-    """Return whether the answer to a question depends on the start of the motion."""
+    """Return whether the answer to a question depends on the initial motion."""
     return depends_on_start(question.query, study)
 
 

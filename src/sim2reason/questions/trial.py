@@ -1,4 +1,4 @@
-"""Trials of an outcome: whether it comes about with another value of one number of the scene."""
+"""Searches for the threshold value of a number at which an outcome changes."""
 
 from collections.abc import Iterable
 from itertools import islice, pairwise
@@ -14,35 +14,35 @@ from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, FINEST
 
 SAMPLES = 65
-SPARSE = 16  # a first scan takes every sixteenth point: without a change there, none is looked for
-LONGER = 7  # times that a motion is followed twice as long
-EXACT, ROUGH = 1e-9, 1e-5  # relative: of closing in; where it only matters by how much it differs
-WRONG = 1e-3  # relative: where it is known to be wrong
-SAME = 5e-7  # relative: a change that is no farther from where one is known is in the same place
-CLOSE, WIDER, WIDEST = 0.004, 5.0, 5  # relative: how near a known change another one is looked for first; times; turns
-BENT = 2.0  # times what a secant misses of a parabola about zero: how far to its sides one looks
-HALVED = 2  # guesses in which what is left should at least be halved
+SPARSE = 16  # stride of the first pass: without a change in it the search ends
+LONGER = 7  # greatest number of doublings of the duration
+EXACT, ROUGH = 1e-9, 1e-5  # relative: accuracy of the threshold, and of one for mere comparison
+WRONG = 1e-3  # relative: accuracy of a threshold known to be wrong
+SAME = 5e-7  # relative: two closer thresholds are equal
+CLOSE, WIDER, WIDEST = 0.004, 5.0, 5  # relative distance of the first search near a threshold; its growth; steps
+BENT = 2.0  # factor on the distance of a secant from a parabola about zero: margin of the search
+HALVED = 2  # guesses that should halve the bracket
 
 
 class _Found(NamedTuple):
-    """What a trial found: whether the outcome comes about, and how far it is from where that changes."""
+    """The result of one simulation: whether the outcome occurs, and its distance from the threshold."""
 
     happens: bool
     excess: float | None
 
 
 class Trial:
-    """Whether an outcome comes about, as a function of the number at an address of the scene."""
+    """Whether an outcome occurs, as a function of the number at an address of the scene."""
 
     def __init__(self, study: Study, outcome: PossibleOutcome, path: str, engine: str = RECORDED) -> None:
-        """`study` is that of a scene in which that number has any value."""
+        """Prepare the search, given the study of a scene in which that number has any value."""
         self._scene, self._outcome, self._path, self._engine = study.scene, outcome, path, engine
         self._change = study.change
         self._known: dict[tuple[float, float], _Found | None] = {}
         self._doublings: dict[float, int] = {}  # of the outcome's own duration, until it was clear
 
     def __call__(self, value: float, error: float = FINEST) -> bool | None:
-        """Return whether it does; None if there is no such motion. `error` is what a step may err by."""
+        """Return whether the outcome occurs for a value; None without a motion. `error` bounds integration steps."""
         found = self._tried(value, error)
         return None if found is None else found.happens
 
@@ -58,12 +58,12 @@ class Trial:
         return self._known[value, error]
 
     def _usual_doublings(self, value: float) -> int:
-        """Return those with the nearest value that was tried: it takes about as long with this one."""
+        """Return the number of doublings of the duration that sufficed for the nearest known value."""
         near = min(self._doublings, key=lambda tried: abs(tried - value), default=None)
         return self._doublings[near] if near is not None else 0
 
     def _followed(self, value: float, error: float, begin: int) -> _Found | None:
-        """Return whether it does with one value: the motion is followed for ever longer until that is clear.
+        """Return the result for one value, from motions of doubling duration.
 
         At first it is as long as so many doublings make it.
         """
@@ -90,17 +90,17 @@ class Trial:
         return self._turns(sorted({*usual, *(value for values in beyond for value in values)})) if beyond else []
 
     def changes_at(self, value: float, *, above: bool, error: float = FINEST) -> bool:
-        """Return whether the outcome comes about just above a value and not just below it, or else the other way round.
+        """Return whether the outcome occurs just above a value and not just below it, or the reverse.
 
-        `error` is what a step may err by, up to what still tells these sides apart.
+        `error` is the error allowed in an integration step, reduced if necessary to resolve the two sides.
         """
         error = min(error, ENOUGH)
         return self(value * (1.0 + SAME), error) is above and self(value * (1.0 - SAME), error) is (not above)
 
     def rough_change(self, *, above: bool, error: float = FINEST) -> float | None:
-        """Where the outcome changes, if a few points of the range show just one change, the way that `above` says.
+        """Return the threshold, if a coarse grid shows a single one with the sense `above`; else None.
 
-        `error` is what a step may err by; where that is much, it is not closed in on as far.
+        `error` is the error allowed in an integration step; a large one also lowers the accuracy of the result.
         """
         turn = self._roughly()
         if turn is None or self(turn[1], COARSE) is not above:
@@ -108,9 +108,9 @@ class Trial:
         return self.between(*turn, EXACT if error <= ENOUGH else ROUGH, error)
 
     def usual_change(self) -> float | None:
-        """Return where the outcome changes near what is drawn, if a few points of the range show just one change.
+        """Return the threshold in the usual range, if a coarse grid shows a single one; else None.
 
-        Whether there are others between these points, `changes_only_at` says; to look at all costs far more.
+        There may be others between the points of the grid; `changes_only_at` tests that at a higher cost.
         """
         turn = self._roughly()
         if turn is None or not self._is_usual(*turn):
@@ -119,18 +119,18 @@ class Trial:
         return self.between(low, high) if self._is_usual(low, high) else None
 
     def changes_only_at(self, value: float) -> bool:
-        """Return whether the outcome changes nowhere else in the number's range."""
+        """Return whether a threshold is the only one in the number's range."""
         turns = self._turns(range_of(self._scene, self._path))
         return len(turns) == 1 and turns[0][0] <= value <= turns[0][1]
 
     def _roughly(self) -> tuple[float, float] | None:
-        """Between which of a few points of the range it changes, if it does so between just two neighbours."""
+        """Return the only pair of neighbours on a coarse grid between which the outcome changes; None if not unique."""
         values = range_of(self._scene, self._path)
         turns = self._turns((*values[::SPARSE], values[-1]))
         return turns[0] if len(turns) == 1 else None
 
     def _halved(self, values: list[float]) -> tuple[float, float]:
-        """Two neighbours among values between which the outcome changes, where it does from the first to the last."""
+        """Return two neighbours among values between which the outcome changes, by bisection."""
         first = self(values[0], COARSE)
         while len(values) > 2:
             middle = len(values) // 2
@@ -142,28 +142,28 @@ class Trial:
         return values[0], values[-1]
 
     def _turns(self, values: Iterable[float]) -> list[tuple[float, float]]:
-        """Between which neighbours among some values it changes; no more than two such pairs."""
+        """Return up to two pairs of neighbours among values between which the outcome changes."""
         told = ((value, found) for value in values if (found := self(value, COARSE)) is not None)
         return list(islice(((low, high) for (low, one), (high, other) in pairwise(told) if one != other), 2))
 
     def _is_usual(self, low: float, high: float) -> bool:
-        """Return whether any number between two is not far from those that are drawn."""
+        """Return whether an interval lies within the usual range of the number."""
         least, most = usual_range(self._scene, self._path)
         return low <= most and high >= least
 
     def close_to(self, about: float, within: float) -> float | None:
-        """Where it changes within a share of a number to its sides, if it does between them; no more is looked at."""
+        """Return the threshold within a relative distance of a number; None if the outcome is equal at the ends."""
         sides = {self(about * (1.0 - within), COARSE), self(about * (1.0 + within), COARSE)}
         return self.near(about) if sides == {True, False} else None
 
     def within(self, about: float, times: float) -> float | None:
-        """Where it changes between a number divided and multiplied by as much, if it does from the one to the other."""
+        """Return the threshold within a factor of a number, if the outcome differs at the ends; else None."""
         least, *_, most = range_of(self._scene, self._path)
         low, high = max(least, about / times), min(most, about * times)
         return self.between(low, high, WRONG, COARSE)
 
     def near(self, about: float) -> float | None:
-        """Return where it changes, looked for ever farther from a number: just there, if that is where it does."""
+        """Return the threshold nearest to a number, searched at growing distances; None if there is none."""
         for width in (SAME, *(CLOSE * WIDER**turn for turn in range(WIDEST))):
             low, high = about / (1.0 + width), about * (1.0 + width)
             if {self(low, ENOUGH), self(high, ENOUGH)} == {True, False}:
@@ -171,9 +171,9 @@ class Trial:
         return None
 
     def between(self, low: float, high: float, exact: float = EXACT, error: float = FINEST) -> float | None:
-        """Where it changes between two numbers that differ in it; None if they do not, or a motion is missing there.
+        """Return the threshold between two numbers; None if the outcome does not differ or a motion fails.
 
-        Where the outcome tells on one side how far it is from the change, by secants from that side, else by halving.
+        Secants are used on a side on which the distance from the threshold is known, bisection otherwise.
         """
         below = self(low, error)
         if {below, self(high, error)} != {True, False}:
@@ -193,13 +193,13 @@ class Trial:
         return 0.5 * (low + high)
 
     def _narrowed(self, low: float, high: float, error: float) -> tuple[float, float]:
-        """Return the nearest numbers that differ in it among those that are known between two that do."""
+        """Return the narrowest known bracket of the threshold within two numbers."""
         tried = sorted((at, f.happens) for (at, by), f in self._known.items() if by == error and f is not None)
         between = [found for found in tried if low <= found[0] <= high]
         return next((one, other) for (one, a), (other, b) in pairwise(between) if a != b)
 
     def _aimed(self, low: float, high: float, exact: float) -> float | None:
-        """A number close to where a secant leads, beyond it first, then before it; None if there is none to draw."""
+        """Return a guess near the root of a secant, alternating beyond it and before it; None without distances."""
         told = {at: found.excess for (at, _), found in self._known.items() if found and found.excess is not None}
         near = next((end for end in (low, high) if end in told), None)
         other = min(told.keys() - {near}, key=lambda at: min(abs(at - low), abs(at - high)), default=None)

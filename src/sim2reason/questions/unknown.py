@@ -1,4 +1,4 @@
-"""Numbers that a text may leave unknown, and numbers derived from components."""
+"""Numbers that a text may leave unknown, and numbers derived from components, such as speeds."""
 
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
@@ -29,7 +29,7 @@ class DerivedNumber(NamedTuple):
         return hypot(*(float(scene.value(part) or 0.0) for part in self.parts))
 
     def at(self, scene: Scene, value: float) -> Mapping[str, float]:
-        """Return the components of a velocity with another speed and the same direction; SceneError if all are zero."""
+        """Return the velocity components with another speed and the same direction; SceneError if all are zero."""
         now = self.value(scene)
         if not now:
             raise SceneError(self.path, NOWHERE, "change one of the components")
@@ -50,7 +50,7 @@ def derived_numbers(scene: Scene) -> Mapping[str, DerivedNumber]:
 
 
 def number_at(scene: Scene, path: str) -> float:
-    """Return the value of the number at an address, which may be a derived one; zero where it is left out."""
+    """Return the value of the number at an address, which may be derived; zero if it is omitted."""
     derived = derived_numbers(scene).get(path)
     return derived.value(scene) if derived is not None else float(scene.value(path) or 0.0)
 
@@ -71,24 +71,24 @@ def with_number(scene: Scene, path: str, value: float) -> Scene:
     return with_numbers(scene, {path: value})
 
 
-WIDER = 10.0  # times the range that it is drawn from, at either end
+WIDER = 10.0  # factor on the range of drawn values, at either end
 POINTS = 64
-FAR, STEPS = 100.0, 16  # times a value, either way, in so many equal steps on the logarithmic scale
-FARTHER = 300.0, 1000.0  # times a value, also tried
-FARTHEST = 1e4  # times its range, or a part of it: where a number is looked for that is not within it
-LEAST = 1e-2  # of the high end of a range that begins at zero
+FAR, STEPS = 100.0, 16  # factor on a value, either way, and number of equal logarithmic steps
+FARTHER = 300.0, 1000.0  # further factors on a value
+FARTHEST = 1e4  # factor on a range: bounds of the extended search
+LEAST = 1e-2  # of the upper end of a range that begins at zero: the least value
 OWN = frozenset(
     {"mass", "magnitude of the charge", "radius"}
 )  # what is said of a body that has a name: *the mass of A*
 LENGTHS = frozenset({"m", "au"})
-USUAL = 2.0  # times what it is drawn from, either way
+USUAL = 2.0  # factor on the range of drawn values, either way
 NUDGE = 1.0 + 1e-3
-TRIES = 3  # numbers that are looked at for one question
+TRIES = 3  # numbers tried for one question
 
 
 @dataclass(frozen=True, slots=True)
 class Unknown:
-    """A number that the text speaks of by its symbol alone."""
+    """A number that the text refers to by its symbol alone."""
 
     path: str
     name: str  # of what it is: *mass*
@@ -99,7 +99,7 @@ class Unknown:
 
     @classmethod
     def of(cls, scene: Scene, parameter: Parameter, mentions: Mapping[str, str], symbol: str) -> Self | None:
-        """Return a number of a scene; None if it says where something is, or no range says what it could be."""
+        """Return the unknown for a number; None for positions and for numbers without a range."""
         held, measure, owner = _field(scene, parameter.path), parameter.measure, parameter.path.rpartition(".")[0]
         if held.drawn is None or held.drawn.low == held.drawn.high or (held.least < 0.0 and measure.unit in LENGTHS):
             return None
@@ -112,7 +112,7 @@ class Unknown:
         )
 
     def called(self, symbol: str) -> Self:
-        """Return the same in a text that has another symbol for it."""
+        """Return the same unknown with another symbol."""
         shown = f"${symbol}$"
         return replace(self, symbol=shown, phrases=(*self.phrases[:-2], *_by_symbol(self.name, shown)))
 
@@ -122,14 +122,14 @@ def _by_symbol(name: str, shown: str) -> tuple[str, str]:
 
 
 def unknowns(scene: Scene, mentions: Mapping[str, str], symbols: Mapping[str, str]) -> list[Unknown]:
-    """All numbers of a scene that its text says as numbers, so that it could leave them unknown, with their symbols."""
+    """Return all numbers that the text states and could leave unknown, with their symbols."""
     spoken = [p for p in scene.parameters if p.path in symbols and p.value and not p.hidden]
     found = (Unknown.of(scene, p, mentions, symbols[p.path]) for p in spoken)
     return [unknown for unknown in found if unknown is not None]
 
 
 def some(offered: Sequence[Unknown], scene: Scene, rng: np.random.Generator) -> Iterator[Unknown]:
-    """Yield a few of them: what they are is drawn first, so that many masses are asked for no more often than one mass.
+    """Yield a few random unknowns, drawn first by quantity, so that many masses are not favoured.
 
     Those are left out without which the text would be another one.
     """
@@ -146,7 +146,7 @@ def some(offered: Sequence[Unknown], scene: Scene, rng: np.random.Generator) -> 
 
 
 def _keeps_routes(scene: Scene, path: str) -> bool:
-    """Return whether strings run as they do with other values of a number, too."""
+    """Return whether strings keep their routes for other values of a number."""
     try:
         other = scene.having(path, float(scene.value(path)) * NUDGE)
     except (SceneError, ValueError):  # it has its greatest value
@@ -158,7 +158,7 @@ def _keeps_routes(scene: Scene, path: str) -> bool:
 
 
 def range_of(scene: Scene, path: str, about: float = 0.0) -> tuple[float, ...]:
-    """Points from a tenth of the low end of what a number is drawn from to ten times the high one, in order.
+    """Return points, in ascending order, from a tenth of the low end of a number's range to ten times the high end.
 
     And farther to ten times a value that it has, since recipes draw some from ranges of their own. They end where its
     declaration does. They are evenly spaced for angles, else on the logarithmic scale: of either sign, and with zero,
@@ -209,7 +209,7 @@ def beyond_range(scene: Scene, path: str) -> tuple[tuple[float, ...], ...]:
 
 
 def far_from(values: Sequence[float], about: float, unit: str) -> list[float]:
-    """Numbers of one sign with a value, and beyond some others, to a thousand times it and to a thousandth of it.
+    """Return distant values of the same sign outside some others, up to a factor of a thousand.
 
     They are few, and fewer beyond a hundred, the nearest ones first. Of angles there are none: far ones are others that
     are near.
@@ -224,7 +224,7 @@ def far_from(values: Sequence[float], about: float, unit: str) -> list[float]:
 
 
 def _onwards(points: Array, end: float) -> list[float]:
-    """Points beyond the last two, as far apart on the logarithmic scale, to an end; none if that is no farther."""
+    """Return logarithmically spaced points beyond the last two, up to an end; none if that is not beyond."""
     last = float(points[-1])
     if end <= last:
         return []
@@ -234,13 +234,13 @@ def _onwards(points: Array, end: float) -> list[float]:
 
 
 def usual_range(scene: Scene, path: str) -> tuple[float, float]:
-    """Return where a number is not far from those that are drawn."""
+    """Return the range of usual values of a number."""
     drawn = _field(scene, path).drawn
     return (drawn.low / USUAL, drawn.high * USUAL) if drawn is not None else (inf, -inf)
 
 
 def is_usual(scene: Scene, path: str, value: float) -> bool:
-    """Return whether a number lies there."""
+    """Return whether a value of a number is usual."""
     low, high = usual_range(scene, path)
     return low <= value <= high
 

@@ -27,7 +27,7 @@ FIELDS = {"magnetic": "the magnetic field", "electric": "the electric field"}
 
 
 class SceneAfterRemoval(Scene):
-    """A scene from the time `after`, s, on, at which the lines and forces with names in `removed` cease to act.
+    """A scene from the time `after`, s, on, without the lines and forces named in `removed`.
 
     Its motion begins, at t = 0, with the places and velocities that the scene's bodies have at that time.
     """
@@ -37,7 +37,7 @@ class SceneAfterRemoval(Scene):
 
     @cached_property
     def mechanism(self) -> Mechanism:
-        """Return the mechanism without what is removed, displaced to where it is at that time.
+        """Return the mechanism without the removed parts, in its state at that time.
 
         Raises:
             SimulationError: the motion cannot be solved.
@@ -57,7 +57,7 @@ class SceneAfterRemoval(Scene):
 
 
 def _without_lines(mechanism: Mechanism, removed: frozenset[str]) -> Mechanism:
-    """Return a mechanism without some lines, by `whole`, and without the massless parts that these alone loaded.
+    """Return a mechanism without some lines, and without massless parts that only these lines loaded.
 
     A light movable pulley whose load is cut off stays behind, with its string without tension.
     """
@@ -77,7 +77,7 @@ def _without_lines(mechanism: Mechanism, removed: frozenset[str]) -> Mechanism:
 
 
 def _refuse_memory(mechanism: Mechanism) -> None:
-    """Raise UnsupportedError for a mechanism whose later motion depends on more than its places and velocities."""
+    """Raise UnsupportedError for a mechanism whose future depends on more than its positions and velocities."""
     reeled = any(isinstance(line.law, Inextensible) and line.law.reel for line in mechanism.lines)
     sticks = any(meeting.sticks for meeting in mechanism.meetings)
     if reeled or sticks or mechanism.burns or mechanism.feet:
@@ -85,7 +85,7 @@ def _refuse_memory(mechanism: Mechanism) -> None:
 
 
 def _later(force: Force, after: float) -> Force:
-    """Return a force whose time begins `after` seconds later."""
+    """Return a force with its time origin shifted by `after` seconds."""
     law = force.law
     if not isinstance(law, Push | Magnetic) or law.profile.steady:
         return force
@@ -108,14 +108,14 @@ def removable(words: Words) -> Mapping[str, str]:
 
 
 def after_removal(scene: Scene, removed: tuple[str, ...], after: float) -> Scene:
-    """Return a scene from the time `after`, s, on, at which lines and forces, by name, cease to act."""
+    """Return a scene from the time `after`, s, on, without some lines and forces, given by name."""
     fields = {name: getattr(scene, name) for name in Scene.model_fields}
     return rebuilt(SceneAfterRemoval(**fields, removed=removed, after=after))
 
 
-MOST = 6  # changes in one question
-FIXED = "fixed"  # what a body is made, which then no longer moves
-REMOVED = "removed"  # what ceases to act at some moment of the motion: a string that is cut, a field switched off
+MOST = 6  # greatest number of changes in one question
+FIXED = "fixed"  # the keyword for a body that no longer moves
+REMOVED = "removed"  # the keyword for an object that ceases to act, such as a cut string
 _PARTED = re.compile(r",\s+")
 _FIXED = re.compile(rf"(?P<body>.+?) {FIXED}")
 _TIME = re.compile(r"(?:t = )?[\d.]\S* \S+|(?:t = )?[\d.]\S*")
@@ -123,7 +123,7 @@ _TIME = re.compile(r"(?:t = )?[\d.]\S* \S+|(?:t = )?[\d.]\S*")
 
 @dataclass(frozen=True, slots=True)
 class SceneChange:
-    """Other values of some numbers of a scene, by address, and the addresses of bodies that are held fixed.
+    """Changed numbers of a scene, by address, and bodies held fixed.
 
     Lines, hands and fields that are `removed`, by name, cease to act at the time `after`, s; the changed scene is then
     that from this time on.
@@ -135,7 +135,7 @@ class SceneChange:
     after: float = 0.0
 
     def applied(self, scene: Scene) -> Scene:
-        """Return a scene with these changes; SceneError or ValueError if there is no such scene."""
+        """Return a scene with these changes; SceneError or ValueError if it is invalid."""
         other = with_numbers(scene, dict(self.values)) if self.values else scene
         other = other.gluing(*self.fixed) if self.fixed else other
         return after_removal(other, self.removed, self.after) if self.removed else other
@@ -181,7 +181,7 @@ def variation(said: str, scene: Scene, words: Words, time_of: Callable[[str, Sce
 def _removing(
     removed: Mapping[str, str], change: SceneChange, words: Words, time_of: Callable[[str, SceneChange], float]
 ) -> SceneChange:
-    """Return a change with the removal of what is named, all at one moment, by default the start."""
+    """Return a change extended by removals, all at one time, by default the start."""
     if len(whens := set(removed.values())) > 1:
         raise TextError("change", "there are several moments at which something is removed", "give one moment")
     when = whens.pop()

@@ -1,4 +1,4 @@
-"""Words of a question: names of numbers, and spoken values."""
+"""Words of questions: names of numbers, and numbers in words and digits."""
 
 import re
 from collections import Counter
@@ -43,7 +43,7 @@ SLOPES = frozenset({"plane", "slope", "incline"})
 
 
 def named_numbers(scene: Scene, mentions: Mapping[str, str]) -> Mapping[str, str]:
-    """By address, the phrases for all numbers that have one of their own; what two could be called is left out."""
+    """Return the unique phrases for numbers, by address; ambiguous ones are left out."""
     phrases = {
         parameter.path: phrase
         for parameter in scene.parameters
@@ -67,7 +67,7 @@ def _phrase(scene: Scene, parameter: Parameter, mentions: Mapping[str, str]) -> 
 
 @dataclass(frozen=True, slots=True)
 class OwnSymbol:
-    """What stands for a number that a question itself says: a noun with its article, its symbol, and its value."""
+    """A question's own number: a noun with its article, its symbol and its value."""
 
     noun: str
     symbol: str
@@ -75,14 +75,14 @@ class OwnSymbol:
 
     @property
     def shown(self) -> str:
-        """The symbol as it stands in a text."""
+        """Return the symbol between dollar signs."""
         return f"${self.symbol}$"
 
 
-DIGITS = r"\d{1,20}"  # of a number before its point or after it: a float written in full has no more that matter
-ROUND = (1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 7, 8, 9)  # leading digits of the numbers that teachers choose
-EXACT = 1e-13  # relative: numbers that differ by less are one
-METRE, LONG, KILO = "m", 1e4, 1e3  # the unit of which so many are told as kilometres
+DIGITS = r"\d{1,20}"  # digits of a number before or after its point: as many as a float in full can need
+ROUND = (1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 7, 8, 9)  # leading digits of round numbers
+EXACT = 1e-13  # relative: numbers that differ by less are equal
+METRE, LONG, KILO = "m", 1e4, 1e3  # the SI unit of length, and the length from which numbers are in kilometres
 OWN = {
     "s": ("a time", ("t", "t_1", "t_2")),
     "m": ("a distance", ("d", "s", "D")),
@@ -92,14 +92,14 @@ OWN = {
 
 
 def symbol_for(value: float, unit: str, taken: Collection[str]) -> OwnSymbol | None:
-    """Return a symbol for a number of a question's own that nothing else has; None if there is none for its unit."""
+    """Return an unused symbol for a question's own number; None if there is none for its unit."""
     noun, options = OWN.get(unit, ("", ()))
     free = next((option for option in options if option not in taken), None)
     return OwnSymbol(noun, free, value) if free is not None else None
 
 
 def spoken_of(symbol: str, said: str, units: UnitSystem) -> tuple[str, OwnSymbol] | None:
-    """A symbol of a question's own from its number with the unit, and the SI unit; None if it can have no such."""
+    """Return the number for a symbol, from its text with a unit, and the SI unit; None if it can have no symbol."""
     for unit, (noun, options) in OWN.items():
         shown = join_unit("", units.spell(unit))
         if symbol in options and said.endswith(shown):
@@ -115,7 +115,7 @@ def say(value: float, unit: str) -> str:
 
 
 def said(text: str, unit: str) -> list[float]:
-    """Return the numbers of a unit that stand in a text."""
+    """Return the numbers with a given unit in a text."""
     found = [float(number) for number in _number(unit).findall(text)]
     if unit == METRE:
         found += [float(Decimal(number) * int(KILO)) for number in _number("km").findall(text)]
@@ -124,7 +124,7 @@ def said(text: str, unit: str) -> list[float]:
 
 @cache
 def _number(unit: str) -> re.Pattern[str]:
-    """Return a number as `say` has it: the degree sign follows without a space."""
+    """Return a pattern for a number as `say` writes it: the degree sign follows without a space."""
     shown = join_unit("", unit)
     return re.compile(rf"({DIGITS}(?:\.{DIGITS})?){re.escape(shown)}(?![\w/])")
 
@@ -133,12 +133,12 @@ ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth")
 
 
 def ordinal(number: int) -> str:
-    """Return which of several, counted from one: *first*."""
+    """Return an ordinal number in words: *first*."""
     return ORDINALS[number - 1]
 
 
 def numbers_of(text: str) -> list[int]:
-    """Return the numbers whose ordinals stand in a text; 1 where there is none."""
+    """Return the numbers of the ordinals in a text; 1 if there are none."""
     return [number for number, word in enumerate(ORDINALS, start=1) if re.search(rf"\b{word}\b", text)] or [1]
 
 
@@ -156,12 +156,12 @@ def digits(value: float) -> str:
 
 
 def spoken(value: float) -> float:
-    """Return a positive number as it will be said."""
+    """Return a positive number rounded as it is written."""
     return float(two_digits(value))
 
 
 def round_number(value: float, least: float, most: float) -> float:
-    """Return the round number nearest to a positive one, such as 0.4, 1.5 or 25, that lies between two bounds.
+    """Return the round number nearest to a positive one, such as 0.4, 1.5 or 25, between two bounds.
 
     Where none does, the number is returned with two significant digits.
     """
@@ -173,7 +173,7 @@ def round_number(value: float, least: float, most: float) -> float:
 
 @dataclass(frozen=True, eq=False)
 class Words:
-    """How bodies are called, how the motion begins, and which numbers are given."""
+    """The phrases for bodies, the initial state, and the given numbers of a text."""
 
     mechanism: Mechanism
     mentions: Mapping[str, str]  # by address
@@ -194,7 +194,7 @@ class Words:
         unknown: Mapping[str, str] | None = None,
         symbols: Mapping[str, str] | None = None,
     ) -> Self:
-        """Return those of a text about a scene that calls its bodies by `mentions`.
+        """Return the words of a text about a scene, with phrases for bodies in `mentions`.
 
         `unknown` has the symbol of each number that it leaves unknown, or could; `symbols` those that all would have.
         """
@@ -204,32 +204,32 @@ class Words:
         return cls(scene.mechanism, mentions, scene.starts_from_rest, said, offered, symbols or {}, named=named)
 
     def in_symbols(self, own: Mapping[str, OwnSymbol]) -> Self:
-        """Return those of the text that has symbols in place of numbers, and some for the question's own."""
+        """Return the words of the same text with symbols in place of numbers, also for the question's own."""
         unknowns = [found.called(self.symbols[found.path]) for found in self.unknowns if found.path in self.symbols]
         return replace(self, symbolic=True, own=own, unknowns=unknowns)
 
     @cached_property
     def turns_back(self) -> bool:
-        """Return whether something may turn back: what is sent off, collides, or is driven by a force that changes."""
+        """Return whether a body may turn back: one with an initial velocity, a collision or a varying force."""
         return may_turn_back(self.mechanism)
 
     @property
     def since(self) -> str:
-        """From when on the text counts time."""
+        """Return the phrase for the start of time in the text."""
         return "release" if self.released else "t = 0"
 
     def say(self, value: float, unit: str) -> str:
-        """Return a number of the question's own: 0.80 s, or its symbol."""
+        """Return the text of a question's own number: 0.80 s, or its symbol."""
         own = self.own.get(unit)
         return own.shown if own is not None else say(value, self.units.spell(unit))
 
     def amount(self, value: float, unit: str) -> str:
-        """Return the same where a noun must go before a symbol: 0.80 s, or *a time $t$*."""
+        """Return the same text with a noun before a symbol: 0.80 s, or *a time $t$*."""
         own = self.own.get(unit)
         return f"{own.noun} {own.shown}" if own is not None else self.say(value, unit)
 
     def heard(self, text: str, unit: str) -> list[float]:
-        """Return the numbers of a question's own that stand in it."""
+        """Return the values of a question's own numbers in a text."""
         own = self.own.get(unit)
         if own is None:
             return said(text, self.units.spell(unit))
@@ -237,16 +237,16 @@ class Words:
 
     @property
     def units(self) -> UnitSystem:
-        """The units in which the text speaks."""
+        """Return the units of the text."""
         return self.mechanism.units
 
     def called(self, of: Subject) -> Mapping[str, str]:
-        """By name, what the text calls each of one kind of subject."""
+        """Return the phrases for subjects of one kind, by name."""
         found = self._called.get(of.name)
         if found is None:
             found = self._called[of.name] = of.phrases(self.mechanism, self.mentions)
         return found
 
     def fills(self, of: Subject, name: str) -> dict[str, str]:
-        """Return what further placeholders stand for in phrases about one subject."""
+        """Return the texts of further placeholders in phrases about one subject."""
         return of.fills(self.mechanism, name, self.mentions)

@@ -1,4 +1,4 @@
-"""Functionals of a motion: numbers that a whole stretch of it has, such as a greatest speed."""
+"""Functionals of a motion: numbers that depend on an interval, such as a greatest speed."""
 
 from abc import ABC, abstractmethod
 from typing import ClassVar, TypeVar
@@ -16,24 +16,24 @@ from sim2reason.simulation.trace import Trace
 
 
 class Functional(ABC):
-    """A number of one subject that the motion has from its start to a moment. All that is known of it is on its class.
+    """The base class of functionals: numbers of one subject that depend on the motion from its start to a moment.
 
-    What it is:
+    Definition:
         name, unit: the unit is canonical SI, empty for a pure number.
-        kind: the kind of question that asks for it.
-        of: the kind of subject that it belongs to.
-        least: the smallest answer that is one, in the unit.
+        kind: the kind of question that asks for the functional.
+        of: the kind of subject.
+        least: the smallest admissible answer, in the unit.
 
-    How it is phrased; templates name the subject by its slot, and may use what it fills besides, such as ``{ground}``:
+    Templates, with placeholders for the subject and for texts of its own, such as ``{ground}``:
         phrase: the noun phrase.
-        how: a question of its own, with ``{when}``; none if empty.
-        indirect: the same as a clause: *how far … moves*.
-        center: whether it belongs to one point of its subject, the centre of mass of what has a size.
+        how: a question, with ``{when}``; empty for none.
+        indirect: the same question as a clause: *how far … moves*.
+        center: whether the functional belongs to the centre of mass of an extended subject.
 
-    When it is asked:
-        weight: how often, compared with others of its kind.
-        drawn_by_recipes: whether recipes ask for it; if not, only people do.
-        needs: what its subject must have and the text must say, such as ``mass``.
+    Use in questions:
+        weight: relative frequency within the kind.
+        drawn_by_recipes: whether recipes ask for the functional; if not, only people do.
+        needs: numbers that the subject must have and the text must state, such as ``mass``.
     """
 
     name: ClassVar[str]
@@ -51,36 +51,36 @@ class Functional(ABC):
 
     @abstractmethod
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """Return the number from the start to a time, s, which a motion of a subject has; None if it has none.
+        """Return the functional of a subject from the start to a time, s, in its unit; None if it is undefined.
 
         What happens at that very instant belongs to it if `end` is an event's time, not if it is just before that.
         """
 
     def loose_value(self, trace: Trace, name: str, end: float) -> float | None:
-        """Return what a reader takes for it even where none would be asked for; by default the value."""
+        """Return the value that a reader may infer even where no question asks for it; by default `value`."""
         return self.value(trace, name, end)
 
     @abstractmethod
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Return what both engines must agree on all the while."""
+        """Return the channels that must be certified over the whole interval."""
 
     def present(self, words: Words, name: str) -> bool:
-        """Return whether a subject of the text can have it; so by default."""
+        """Return whether the functional applies to a subject of the text; by default True."""
         del words, name
         return True
 
     def worth(self, study: Study, name: str, end: float) -> bool:
-        """Whether it is worth asking for, and is not read off what a simpler question asks for; so by default."""
+        """Return whether the value is worth asking for and differs from that of a simpler question; by default True."""
         del study, name, end
         return True
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """Return how a question speaks of the stretch that a moment ends; empty if that ends none of this."""
+        """Return the phrases for the interval that ends at a moment; empty if the functional is not asked for there."""
         del name
         return moment.stretches(words)
 
     def asked(self, words: Words) -> dict[str, Noun]:
-        """By name, the subjects for which a text can ask it, each with how it does."""
+        """Return the noun phrases of the functional for each subject that has it, by name."""
         mechanism, of = words.mechanism, self.of
         found: dict[str, Noun] = {}
         for name, said in words.called(of).items():
@@ -93,13 +93,13 @@ class Functional(ABC):
         return found
 
     def own(self, words: Words, name: str) -> dict[str, str]:
-        """Return what placeholders of its own stand for; by default it has none."""
+        """Return the functional's own template placeholders and their texts; by default none."""
         del words, name
         return {}
 
 
 def check_functional(name: str, member: object) -> None:
-    """Refuse a functional that leaves a fact of its class open, with ValueError; UnitError for an unknown unit."""
+    """Raise ValueError if a functional lacks a declaration, UnitError if its unit is unknown."""
     missing = [fact for fact in ("unit", "kind", "of", "least", "phrase") if not hasattr(member, fact)]
     if missing:
         raise ValueError(f"questions.functionals: {name!r} declares no {', '.join(missing)}")
@@ -111,6 +111,6 @@ F = TypeVar("F", bound=Functional)
 
 
 def functional(cls: type[F]) -> type[F]:
-    """Enter a functional under its name."""
+    """Register a functional under its name."""
     FUNCTIONALS.add(cls.name, cls())
     return cls

@@ -32,7 +32,7 @@ from sim2reason.simulation.trace import Trace
 
 @functional
 class Bounces(EventCount):
-    """How often a body hits the ground, a wall or walls."""
+    """The number of times that a body hits the ground, a wall or walls."""
 
     name = "number of bounces"
     of = Bodies()
@@ -42,26 +42,26 @@ class Bounces(EventCount):
     indirect = "how many times {body} hits {what}"
 
     def own(self, words: Words, name: str) -> dict[str, str]:
-        """Return what it hits."""
+        """Return the placeholder for the fixed obstacle that the body hits."""
         return {"what": struck(words, name)}
 
     def present(self, words: Words, name: str) -> bool:
-        """Return what can hit something fixed."""
+        """Return whether the body can hit a fixed obstacle."""
         return bool(struck(words, name))
 
     def times(self, trace: Trace, name: str) -> Sequence[float]:
-        """Return those of its collisions with what is fixed."""
+        """Return the times, s, of the body's collisions with fixed obstacles."""
         return [event.time for event in trace.events if event.kind == "collision" and event.subjects == (name,)]
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Return its velocity."""
+        """Return the channel of the body's velocity."""
         del mechanism
         return (Channel(name, Velocity.name),)
 
 
 @functional
 class CollisionImpulse(Functional):
-    """The size of the impulse that each of two loose bodies gets from the other."""
+    """The magnitude of the impulse that two free bodies exert on each other in a collision."""
 
     name, unit, kind, least = "impulse of a collision", "N s", "sum", 1e-3
     of, needs = Pairs(), ("mass",)
@@ -74,17 +74,17 @@ class CollisionImpulse(Functional):
         return encounter(moment, words, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """m|Δv| of the one, if the other gets the opposite, so that nothing else strikes them at that instant."""
+        """Return m|Δv|, in N s; None if a third body takes part at the same instant."""
         one, other = (jumps(trace, lambda s, n=n: Momentum.evaluate(s, n), [end])[0] for n in members(name))
         size = float(np.linalg.norm(one))
         return size if float(np.linalg.norm(one + other)) <= BALANCE * size else None
 
     def present(self, words: Words, name: str) -> bool:
-        """Two loose bodies, so that no string or axle takes part of it."""
+        """Return whether both bodies are free, so that no string or axle takes part of the impulse."""
         return all(is_loose(words.mechanism, body) for body in members(name))
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Return both momenta."""
+        """Return the channels of both momenta."""
         del mechanism
         return tuple(Channel(body, Momentum.name) for body in members(name))
 
@@ -105,13 +105,13 @@ class CollisionLoss(Functional):
         return encounter(moment, words, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """Return the loss of all bodies; None if something else collides at the same instant."""
+        """Return the kinetic energy lost by all bodies, J; None if another collision occurs at the same instant."""
         del name
         alone = hits(trace, end).count(end) == 1
         return energy_lost(trace, [end]) if alone else None
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Return all kinetic energies."""
+        """Return the channels of all kinetic energies."""
         del name
         return energies(mechanism)
 
@@ -128,58 +128,58 @@ class Collisions(EventCount):
     weight = 3.0
 
     def own(self, words: Words, name: str) -> dict[str, str]:
-        """Return that walls count, where there are any."""
+        """Return the placeholder that includes walls in the count, if there are any."""
         del name
         walls = sum(meeting.a is None for meeting in words.mechanism.meetings)
         return {"walls": f", those with the wall{'s' if walls > 1 else ''} included," if walls else ""}
 
     def present(self, words: Words, name: str) -> bool:
-        """Return where several things may meet, and no buffer makes it doubtful what a collision is."""
+        """Return whether several collisions are possible and unambiguous, as no buffer spring takes part."""
         del name
         pairs = any(len(meeting.names) == 2 for meeting in words.mechanism.meetings)
         return pairs and not words.mechanism.half_springs
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """Also of all that ever happen."""
+        """Return phrases for intervals, including that of all future motion."""
         if isinstance(moment, LastCollision):
             return ("in all", "altogether", f"from {words.since} on")
         return super().when(moment, words, name)
 
     def times(self, trace: Trace, name: str) -> Sequence[float]:
-        """Return those of collisions."""
+        """Return the times, s, of all collisions."""
         del name
         return [event.time for event in trace.events if event.kind == "collision"]
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Return all velocities."""
+        """Return the channels of all velocities."""
         del name
         return tuple(Channel(body, Velocity.name) for body in massive(mechanism))
 
 
-FEWEST = 2  # impacts in a sum of them
+FEWEST = 2  # least number of impacts in a sum
 
 
 class FromFixed(Functional):
-    """What something fixed does to a body that bounces from it."""
+    """The base class of functionals of a body's impacts on a fixed obstacle."""
 
     unit, kind, least = "N s", "sum", 1e-3
     of, needs = Bodies(), ("mass",)
 
     def present(self, words: Words, name: str) -> bool:
-        """Return a loose body that can meet the ground, or one wall."""
+        """Return whether the body is free and can hit the ground or exactly one wall."""
         return struck(words, name) not in {"", WALLS} and is_loose(words.mechanism, name)
 
     def own(self, words: Words, name: str) -> dict[str, str]:
-        """Return what it meets."""
+        """Return the placeholder for the obstacle that the body hits."""
         return {"what": struck(words, name)}
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Return its momentum."""
+        """Return the channel of the body's momentum."""
         del mechanism
         return (Channel(name, Momentum.name),)
 
     def sum(self, trace: Trace, name: str, times: list[float]) -> float | None:
-        """|Σ mΔv|; None if anything else strikes the body at one of these instants."""
+        """Return |Σ mΔv| over impacts, in N s; None if another body takes part in one of them."""
         others = hits(trace, times[-1], lambda e: name in e.subjects and len(e.subjects) > 1) if times else []
         if not times or set(others) & set(times):
             return None
@@ -188,7 +188,7 @@ class FromFixed(Functional):
 
 @functional
 class ImpactImpulse(FromFixed):
-    """The size of the impulse of one impact."""
+    """The magnitude of the impulse of one impact."""
 
     name = "impulse of an impact"
     phrase = "the magnitude of the impulse that {what} exerts on {body}"
@@ -200,30 +200,30 @@ class ImpactImpulse(FromFixed):
         return encounter(moment, words, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """m|Δv|."""
+        """Return m|Δv|, in N s."""
         return self.sum(trace, name, [end])
 
 
 @functional
 class TotalImpactImpulse(FromFixed):
-    """The size of the impulse of several impacts, which all have one direction."""
+    """The magnitude of the total impulse of several impacts in one direction."""
 
     name = "total impulse of impacts"
     phrase = "the magnitude of the total impulse that {what} exerts on {body}"
     how = "how large is the total impulse that {what} exerts on {body} {when}?"
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """|Σ mΔv|."""
+        """Return |Σ mΔv|, in N s."""
         return self.sum(trace, name, hits(trace, end, lambda event: event.subjects == (name,)))
 
     def worth(self, study: Study, name: str, end: float) -> bool:
-        """Return whether there are several."""
+        """Return whether there are several impacts."""
         return len(hits(study.trace, end, lambda event: event.subjects == (name,))) >= FEWEST
 
 
 @functional
 class TotalCollisionLoss(Functional):
-    """The kinetic energy that is lost in all collisions up to a moment."""
+    """The kinetic energy lost in all collisions up to a moment."""
 
     name, unit, kind, least = "energy lost in collisions", "J", "sum", 1e-3
     of, needs = Whole(), ("mass",)
@@ -232,22 +232,22 @@ class TotalCollisionLoss(Functional):
     weight = 4.0
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """Also of all that ever happen."""
+        """Return phrases for intervals, including that of the entire future motion."""
         if isinstance(moment, LastCollision):
             return (f"from {words.since} on", "in the motion that follows", "in the whole motion")
         return super().when(moment, words, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """Return the sum over all collisions."""
+        """Return the kinetic energy lost in all collisions, J."""
         del name
         return energy_lost(trace, hits(trace, end))
 
     def worth(self, study: Study, name: str, end: float) -> bool:
-        """Return whether there are several."""
+        """Return whether there are several collisions."""
         del name
         return len(hits(study.trace, end)) >= FEWEST
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Return all kinetic energies."""
+        """Return the channels of all kinetic energies."""
         del name
         return energies(mechanism)

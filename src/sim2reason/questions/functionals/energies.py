@@ -40,15 +40,15 @@ class DashpotHeat(Integral):
     weight = 5.0
 
     def rate(self, state: State, name: str) -> Array:
-        """Return the force c·dl/dt times the rate dl/dt, W, (n,)."""
+        """Return the power of the damping force, c·(dl/dt)², in W, (n,)."""
         return _damping(state.mechanism, name) * ExtensionRate.evaluate(state, name) ** 2
 
     def present(self, words: Words, name: str) -> bool:
-        """Return a damped spring that acts both ways."""
+        """Return whether the line is a damped spring that can push and pull."""
         return _damping(words.mechanism, name) > 0.0
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Return the rate."""
+        """Return the channel of the rate of change of the spring's length."""
         del mechanism
         return (Channel(name, ExtensionRate.name),)
 
@@ -60,7 +60,7 @@ def _damping(mechanism: Mechanism, name: str) -> float:
 
 @functional
 class DragHeat(Integral):
-    """The energy that a body loses to the resistance of a medium that is everywhere."""
+    """The energy that a body loses to the resistance of an unbounded medium."""
 
     name, unit, least = "energy lost to drag", "J", 1e-6
     of, needs = Bodies(), ("mass",)
@@ -70,7 +70,7 @@ class DragHeat(Integral):
     weight = 5.0
 
     def rate(self, state: State, name: str) -> Array:
-        """−F·v, W, (n,)."""
+        """Return the power −F·v of the resistance, W, (n,)."""
         point, total = state.frames.center(name), np.zeros(len(state.times))
         for force in state.mechanism.forces:
             if force.body == name and isinstance(force.law, Resistance):
@@ -79,19 +79,19 @@ class DragHeat(Integral):
         return total
 
     def present(self, words: Words, name: str) -> bool:
-        """Return what a medium resists."""
+        """Return whether an unbounded medium resists the body."""
         drags = [f for f in words.mechanism.forces if f.body == name and isinstance(f.law, Resistance)]
         return bool(drags) and all(force.region is None for force in drags)
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Return its velocity."""
+        """Return the channel of the body's velocity."""
         del mechanism
         return (Channel(name, Velocity.name),)
 
 
 @functional
 class FieldWork(Integral):
-    """The work of the electric force on a charge, where it is positive."""
+    """The work of the electric force on a charge; only positive work is asked for."""
 
     name, unit, least = "work of an electric field", "J", 1e-6
     of, needs = Bodies(), ("charge",)
@@ -101,7 +101,7 @@ class FieldWork(Integral):
     weight = 1.5
 
     def rate(self, state: State, name: str) -> Array:
-        """F·v inside the field, W, (n,)."""
+        """Return the power F·v of the electric force inside the field, W, (n,)."""
         point, total = state.frames.center(name), np.zeros(len(state.times))
         for force in _pushes(state.mechanism, name):
             pull = force.law.force(point.place, point.velocity, state.times, np)
@@ -113,16 +113,16 @@ class FieldWork(Integral):
         return total
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """Return None where it is against the motion on the whole."""
+        """Return the work, J; None if it is not positive."""
         work = super().value(trace, name, end)
         return work if work is not None and work > 0.0 else None
 
     def present(self, words: Words, name: str) -> bool:
-        """Return a charge in an electric field."""
+        """Return whether the body is a charge in an electric field."""
         return bool(_pushes(words.mechanism, name))
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Return where it is and how fast it moves."""
+        """Return the channels of the body's velocity and displacement."""
         del mechanism
         return (Channel(name, Velocity.name), Channel(name, Displacement.name))
 
@@ -133,7 +133,7 @@ def _pushes(mechanism: Mechanism, name: str) -> list[Force]:
 
 @functional
 class FrictionHeat(Integral):
-    """The energy that friction between a body and its face dissipates: friction times the speed of slip, over time."""
+    """The energy dissipated by friction between a body and its face: the integral of force times slip speed."""
 
     name, unit, least = "energy dissipated by friction", "J", 1e-3
     of, needs = Contacts(), ("mass",)
@@ -143,26 +143,26 @@ class FrictionHeat(Integral):
     weight = 2.5
 
     def rate(self, state: State, name: str) -> Array:
-        """−f·u, W, (n,), never negative."""
+        """Return the power −f·u of friction, W, (n,), which is never negative."""
         return -FrictionForce.evaluate(state, name) * slip(state, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """Return None after an impact, at which a face may rub with an impulse."""
+        """Return the energy, J; None after an impact, in which friction may act as an impulse."""
         return super().value(trace, name, end) if is_smooth(trace, end) else None
 
     def present(self, words: Words, name: str) -> bool:
-        """Only where something rough can slip."""
+        """Return whether the contact has finite, nonzero friction."""
         return words.mechanism.contacts[name].friction > 0.0 and isfinite(words.mechanism.contacts[name].friction)
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Return the force, and how fast the body and what it lies on move."""
+        """Return the channels of the friction force and of the velocities of the body and its carrier."""
         moving = (name, mechanism.body[name].parent)
         return (Channel(name, FrictionForce.name), *(Channel(body, Velocity.name) for body in moving if body))
 
 
 @functional
 class GreatestKineticEnergy(Extreme):
-    """The greatest kinetic energy of a body, that of its turning included."""
+    """The greatest kinetic energy of a body, including its rotation."""
 
     name = "greatest kinetic energy"
     quantity = KineticEnergy
@@ -172,7 +172,7 @@ class GreatestKineticEnergy(Extreme):
 
 @functional
 class PullWork(Functional):
-    """The work that a hand does as it draws a string in with a constant force."""
+    """The work of a hand that draws in a string with a constant force."""
 
     name, unit, kind, least = "work of a hand", "J", "sum", 1e-3
     of = Hands()
@@ -182,11 +182,11 @@ class PullWork(Functional):
     weight = 1.5
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """Not until something has moved by a stated distance: force times distance is no question."""
+        """Return phrases for the interval; none up to a stated distance, as force times distance is trivial."""
         return () if isinstance(moment, DistanceThreshold) else super().when(moment, words, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """Return its force times what it has drawn in; None where it has let out more."""
+        """Return the force times the length drawn in, J; None if it is not positive."""
         line = trace.mechanism.line[name]
         assert isinstance(line.law, ConstantTension)
         start, here = (float(trace.at(time).free_length(line)[0][0]) for time in (0.0, end))
@@ -194,7 +194,7 @@ class PullWork(Functional):
         return work if work > 0.0 else None
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Return how the string's length changes."""
+        """Return the channel of the string's length."""
         del mechanism
         return (Channel(name, StringLength.name),)
 
@@ -210,7 +210,7 @@ class GreatestSpringEnergy(Extreme):
 
 @functional
 class StringWork(Integral):
-    """The work of the only string that is tied to a body, where it is positive."""
+    """The work of the only string that is tied to a body; only positive work is asked for."""
 
     name, unit, least = "work of a tension", "J", 1e-3
     of, needs = Bodies(), ("mass",)
@@ -220,17 +220,17 @@ class StringWork(Integral):
     weight = 0.2  # rather the tension itself
 
     def own(self, words: Words, name: str) -> dict[str, str]:
-        """Return what the text calls the string."""
+        """Return the placeholder for the text's phrase for the string."""
         return {"string": _called(words)[_tied(words.mechanism, name)[0][0]]}
 
     def present(self, words: Words, name: str) -> bool:
-        """A body with one string, which the text can name, that rides on no other, and on which no pulley rides."""
+        """Return whether one string, which the text names, is tied to the body, and nothing rides on the body."""
         tied = _tied(words.mechanism, name)
         ridden = any(body.parent == name for body in words.mechanism.bodies) or rides(words.mechanism, name)
         return len(tied) == 1 and not ridden and tied[0][0] in _called(words)
 
     def rate(self, state: State, name: str) -> Array:
-        """T·v along the string, away from the body, W, (n,)."""
+        """Return the power T·v of the tension, W, (n,)."""
         line, own, other = _tied(state.mechanism, name)[0]
         here, there = state.frames.site(own), state.frames.site(other)
         apart = minus(there.place, here.place)
@@ -239,13 +239,13 @@ class StringWork(Integral):
         return Tension.evaluate(state, line) * along
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """Return None after an impact, at which a string may jerk, and where it is against the motion on the whole."""
+        """Return the work, J; None after an impact, which may jerk the string, or if the work is not positive."""
         known = is_smooth(trace, end) and _tied(trace.mechanism, name)  # the string may have been left out
         work = super().value(trace, name, end) if known else None
         return work if work is not None and work > 0.0 else None
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Return the tension and the velocity."""
+        """Return the channels of the tension and the body's velocity."""
         return (Channel(_tied(mechanism, name)[0][0], Tension.name), Channel(name, Velocity.name))
 
 
@@ -254,7 +254,7 @@ def _called(words: Words) -> Mapping[str, str]:
 
 
 def _tied(mechanism: Mechanism, name: str) -> list[tuple[str, str, str]]:
-    """Return the strings that pass or end at a body, each with its site there and the next site."""
+    """Return the lines that pass or end at a body, each with its site there and the next site."""
     found = list[tuple[str, str, str]]()
     for line in mechanism.lines:
         if isinstance(line.law, Inextensible):

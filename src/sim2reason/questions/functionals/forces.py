@@ -9,7 +9,7 @@ from sim2reason.simulation.quantities.springs import Extension, SpringForce
 
 @functional
 class GreatestAxleForce(Extreme):
-    """The greatest size of the force that a fixed axle exerts on the body that turns about it."""
+    """The greatest magnitude of the force that a fixed axle exerts on the body that turns about it."""
 
     name = "greatest axle force"
     quantity = AxleForce
@@ -28,7 +28,7 @@ class GreatestExtension(Extreme):
     weight = 3.0
 
     def height(self, state: State, name: str) -> Array:
-        """Return how far it is stretched, (n,)."""
+        """Return the extension, m, (n,)."""
         return Extension.evaluate(state, name)
 
 
@@ -42,7 +42,7 @@ class GreatestCompression(Extreme):
     weight = 3.0
 
     def height(self, state: State, name: str) -> Array:
-        """Return how far it is compressed, (n,)."""
+        """Return the compression, m, (n,)."""
         return -Extension.evaluate(state, name)
 
 
@@ -69,7 +69,7 @@ class LeastNormalForce(Extreme):
 
 @functional
 class GreatestRodForce(Extreme):
-    """The greatest size of the force in a light rod, be it a pull or a push."""
+    """The greatest magnitude of the force in a light rod, be it a pull or a push."""
 
     name = "greatest rod force"
     quantity = RodForce
@@ -80,7 +80,7 @@ class GreatestRodForce(Extreme):
 
 @functional
 class GreatestRodPull(Extreme):
-    """The greatest size of the force in a light rod on a moving axle; never drawn by recipes."""
+    """The greatest magnitude of the force in a light rod on a moving axle; never drawn by recipes."""
 
     name = "greatest rod pull"
     quantity = RodPull

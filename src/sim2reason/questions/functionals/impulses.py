@@ -23,7 +23,7 @@ from sim2reason.simulation.trace import Trace
 
 @functional
 class JerkLoss(Functional):
-    """The kinetic energy that is lost in the jerk with which a string becomes taut."""
+    """The kinetic energy lost in the jerk with which a string becomes taut."""
 
     name, unit, kind, least = "energy lost in a jerk", "J", "sum", 1e-3
     of, needs = Strings(), ("mass",)
@@ -38,22 +38,22 @@ class JerkLoss(Functional):
         return moment.does(words).phrases(moment.subject(words), moment.number)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """Return the loss of all bodies."""
+        """Return the kinetic energy lost by all bodies, J."""
         del name
         return energy_lost(trace, [end])
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Return all kinetic energies."""
+        """Return the channels of all kinetic energies."""
         del name
         return energies(mechanism)
 
 
-DIFFERS = 0.02  # of the momentum at the end: what differs by less is that momentum
+DIFFERS = 0.02  # of the final momentum: least difference of the impulse from it
 
 
 @functional
 class NetImpulse(Functional):
-    """The size of the impulse of the net force: by how much the momentum changes, as a vector."""
+    """The magnitude of the impulse of the net force, which is the change of momentum as a vector."""
 
     name, unit, kind, least = "impulse of the net force", "N s", "sum", 1e-3
     of, needs, center = Bodies(), ("mass",), False
@@ -66,11 +66,11 @@ class NetImpulse(Functional):
         return all(burn.body != name for burn in mechanism.burns) and not is_welded_part(mechanism, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """|p − p₀|."""
+        """Return |p − p₀|, in N s."""
         return float(np.linalg.norm(_momentum(trace, name, end) - _momentum(trace, name, 0.0)))
 
     def worth(self, study: Study, name: str, end: float) -> bool:
-        """Return whether it is not the momentum at the end, or at the start, nor a weight times a time."""
+        """Return whether the value differs from the final and initial momentum and from a weight times a time."""
         if only_falls(study.mechanism) and is_smooth(study.trace, end):
             return False
         change = self.value(study.trace, name, end) or 0.0
@@ -78,7 +78,7 @@ class NetImpulse(Functional):
         return all(abs(change - size) > DIFFERS * size for size in sizes)
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Return its momentum."""
+        """Return the channel of the body's momentum."""
         del mechanism
         return (Channel(name, Momentum.name),)
 
@@ -98,18 +98,18 @@ class StringImpulse(Integral):
     how = "how large is the impulse of the tension in {string} {when}?"
 
     def rate(self, state: State, name: str) -> Array:
-        """Return the tension, (n,)."""
+        """Return the tension, N, (n,)."""
         return Tension.evaluate(state, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """Return None after an impact, at which a string may jerk."""
+        """Return the impulse, N s; None after an impact, in which a string may jerk."""
         return super().value(trace, name, end) if is_smooth(trace, end) else None
 
     def present(self, words: Words, name: str) -> bool:
-        """Return a string that does not swing."""
+        """Return whether the string keeps its direction."""
         return line_pointer(words.mechanism, words.mechanism.line[name]) is None
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Return the tension."""
+        """Return the channel of the tension."""
         del mechanism
         return (Channel(name, Tension.name),)

@@ -26,7 +26,7 @@ from sim2reason.simulation.trace import Trace
 
 @functional
 class GreatestAcceleration(Extreme):
-    """The greatest size of the acceleration of a body."""
+    """The greatest magnitude of the acceleration of a body."""
 
     name = "greatest acceleration"
     quantity = Acceleration
@@ -64,7 +64,7 @@ class OscillationAmplitude(Extreme):
         return 0.5 * found if found > 0.0 and found >= (1.0 - STILL) * float(np.ptp(places)) else None
 
     def loose_value(self, trace: Trace, name: str, end: float) -> float | None:
-        """Return the value itself: a reader takes nothing else for it."""
+        """Return the same as `value`, as no other reading is likely."""
         return self.value(trace, name, end)
 
 
@@ -90,7 +90,7 @@ class GreatestAngularAcceleration(Extreme):
 
 
 class AxisDistance(Extreme):
-    """The greatest size of one coordinate of a body in fields.
+    """The greatest absolute value of one coordinate of a body in fields.
 
     Class data:
         along: the number of the coordinate; the other one is that of the axis from which the distance counts.
@@ -99,18 +99,18 @@ class AxisDistance(Extreme):
     along: ClassVar[int]
 
     def height(self, state: State, name: str) -> Array:
-        """Return the size of the coordinate, m, (n,)."""
+        """Return the absolute value of the coordinate, m, (n,)."""
         return abs(self.quantity.evaluate(state, name))
 
     def present(self, words: Words, name: str) -> bool:
-        """Return whether fields act on the body, and an electric one only along the coordinate: else it drifts."""
+        """Return whether only fields act on the body, electric ones only along the coordinate: it never drifts."""
         acts = acting_on(words.mechanism, name)
         if acts is None or acts.medium or not self.quantity().fits(words.mechanism, name):
             return False
         return all(self._is_along(law) for law in acts.electric)
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """Return phrases also for a motion that repeats itself displaced: this coordinate does not drift."""
+        """Return phrases for the interval, also for a motion repeated elsewhere, as this coordinate does not drift."""
         return moment.phrases(words) if isinstance(moment, WholeMotion) else super().when(moment, words, name)
 
     def _is_along(self, law: Push) -> bool:
@@ -138,16 +138,16 @@ class GreatestYAxisDistance(AxisDistance):
 
 
 class ExtremeCoordinate(Extreme):
-    """An extreme of a coordinate, which has a sign."""
+    """The base class of extremes of a signed coordinate."""
 
     drawn_by_recipes = False
 
     def height(self, state: State, name: str) -> Array:
-        """Return the coordinate, of the least value with a minus sign, (n,)."""
+        """Return the coordinate, m, (n,), with a minus sign for a least value."""
         return self.sign * self.quantity.evaluate(state, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """Return the extreme coordinate in m, wherever in the stretch it is."""
+        """Return the extreme coordinate, m, anywhere in the interval."""
         return self.between(trace, name, 0.0, end)
 
     def present(self, words: Words, name: str) -> bool:
@@ -251,7 +251,7 @@ class GreatestDisplacement(Extreme):
     weight = 1.0
 
     def present(self, words: Words, name: str) -> bool:
-        """Not on a circle, where the other end of the swing tells it."""
+        """Return whether the body does not move on a circle, where symmetry gives the distance."""
         return not circles(words.mechanism, name)
 
 
@@ -291,7 +291,7 @@ class GreatestHeight(Extreme):
     weight = 2.0
 
     def present(self, words: Words, name: str) -> bool:
-        """Return what flies or swings."""
+        """Return whether the body flies or swings."""
         return name in HighestPoint.candidates(words)
 
 

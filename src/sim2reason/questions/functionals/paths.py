@@ -26,12 +26,12 @@ from sim2reason.simulation.quantities.subjects.pairs import Pairs, members
 from sim2reason.simulation.quantities.subjects.paths import center_path, rides
 from sim2reason.simulation.trace import Trace
 
-DIFFERS = 0.02  # of the angle: what is less larger than the angle between start and end is not worth asking
+DIFFERS = 0.02  # of the angle: least excess over the net angle that is worth asking for
 
 
 @functional
 class AngleSwept(Integral):
-    """The sum of all angles, whatever their sense, through which a body turns about one axle."""
+    """The total angle, in both senses, through which a body turns about one axle."""
 
     name, unit, least = "total angle", "deg", 0.1
     of = TurningBodies()
@@ -39,34 +39,34 @@ class AngleSwept(Integral):
     how = "through what angle does {body} turn altogether, to and fro, {when}?"
 
     def rate(self, state: State, name: str) -> Array:
-        """|ω|, degrees per second, (n,)."""
+        """Return the angular speed |ω|, degrees per second, (n,)."""
         return degrees(1.0) * np.linalg.norm(AngularVelocity.evaluate(state, name), axis=1)
 
     def present(self, words: Words, name: str) -> bool:
-        """Return what turns by one hinge and does not roll, so that the engine says when it turns back."""
+        """Return whether the body turns on one hinge and does not roll, so that the engine records its reversals."""
         mechanism = words.mechanism
         hinges = [c for c in mechanism.body[name].coordinates if c.kind == "hinge"]
         return len(hinges) == 1 and mechanism.body[name].parent is None and name in AngleTurned().subjects(mechanism)
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """Not where geometry alone gives the angle."""
+        """Return phrases for the interval; none where geometry alone gives the angle."""
         return () if is_told_by_angles(moment, words) else super().when(moment, words, name)
 
     def worth(self, study: Study, name: str, end: float) -> bool:
-        """Return whether it turns back."""
+        """Return whether the body turns back, so that the total exceeds the net angle."""
         total = self.value(study.trace, name, end) or 0.0
         net = abs(float(AngleTurned.evaluate(study.trace.at(end), name)[0]))
         return total - net > DIFFERS * total and super().worth(study, name, end)
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Return how fast it turns."""
+        """Return the channel of the angular velocity."""
         del mechanism
         return (Channel(name, AngularVelocity.name),)
 
 
 @functional
 class AreaSwept(Integral):
-    """The area that the line from a fixed body to one that it attracts sweeps out, as in Kepler's second law."""
+    """The area swept out by the line from a fixed body to one that it attracts, as in Kepler's second law."""
 
     name, unit, least = "area swept", "m^2", 1e-4
     of = Pairs()
@@ -75,33 +75,33 @@ class AreaSwept(Integral):
     weight = 0.3
 
     def rate(self, state: State, name: str) -> Array:
-        """½|r × v|, (n,)."""
+        """Return the areal speed ½|r × v|, (n,)."""
         return np.linalg.norm(_areal_velocity(state, name), axis=1)
 
     def worth(self, study: Study, name: str, end: float) -> bool:
-        """Only where the line turns in one sense: of one that turns back nobody says whether areas cancel."""
+        """Return whether the line turns in one sense only, as otherwise the sign of areas is ambiguous."""
         scan = study.trace.scan
         swept = _areal_velocity(scan, name)[scan.times <= end]
         return super().worth(study, name, end) and bool((swept @ swept.mean(axis=0) >= 0.0).all())
 
     def present(self, words: Words, name: str) -> bool:
-        """Return one that is fixed, and one that it attracts."""
+        """Return whether one body of the pair is fixed and attracts the other."""
         pulls = any({pull.a, pull.b} == set(members(name)) for pull in words.mechanism.attractions)
         return pulls and sum(moves(words.mechanism, body) for body in members(name)) == 1
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """Until something happens on the same orbit; a time by the areal velocity at the start needs no attraction."""
+        """Return phrases for intervals that end with an event of the orbit; a stated time would need no gravitation."""
         return super().when(moment, words, name) if isinstance(moment, Orbited | Apsis) and moment.name == name else ()
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Return both velocities and the distance."""
+        """Return the channels of both velocities and the distance."""
         del mechanism
         velocities = (Channel(body, Velocity.name) for body in members(name))
         return (Channel(name, DistanceBetween.name), *velocities)
 
 
 def _areal_velocity(state: State, name: str) -> Array:
-    """½ r × v, (n, 3)."""
+    """Return the areal velocity ½ r × v, (n, 3)."""
     a, b = members(name)
     apart = state.vector(state.frames.center(b).place) - state.vector(state.frames.center(a).place)
     parting = Velocity.evaluate(state, b) - Velocity.evaluate(state, a)
@@ -120,11 +120,11 @@ class DistanceTravelled(Integral):
     weight = 2.0
 
     def rate(self, state: State, name: str) -> Array:
-        """Return the speed, (n,)."""
+        """Return the speed, m/s, (n,)."""
         return np.linalg.norm(Velocity.evaluate(state, name), axis=1)
 
     def corners(self, trace: Trace, name: str) -> list[float]:
-        """Return where a body on a line turns back; on a circle a coordinate does, and the engine says when."""
+        """Return the times, s, at which a body on a line reverses; none on a circle, where the engine records them."""
         path = center_path(trace.mechanism, name)
         if not path.straight:
             return []
@@ -135,21 +135,21 @@ class DistanceTravelled(Integral):
         ]
 
     def present(self, words: Words, name: str) -> bool:
-        """Return what moves along a line or on a circle."""
+        """Return whether the body moves along a line or on a circle."""
         return center_path(words.mechanism, name).straight or circles(words.mechanism, name)
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """On a circle not where geometry alone gives the arc."""
+        """Return phrases for the interval; none on a circle where geometry alone gives the arc."""
         told = circles(words.mechanism, name) and is_told_by_angles(moment, words)
         return () if told else super().when(moment, words, name)
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Return its velocity, and where that leads."""
+        """Return the channels of the body's velocity and displacement."""
         del mechanism
         return (Channel(name, Velocity.name), Channel(name, Displacement.name))
 
     def worth(self, study: Study, name: str, end: float) -> bool:
-        """Whether it is longer than the displacement, which is asked for otherwise, and on one circle if on any."""
+        """Return whether the distance exceeds the displacement and, on a circle, the body stays on it."""
         if circles(study.mechanism, name) and leaves_circle(study.trace, end):
             return False
         path = self.value(study.trace, name, end) or 0.0
@@ -159,7 +159,7 @@ class DistanceTravelled(Integral):
 
 @functional
 class Reversals(EventCount):
-    """How often a body on a line reverses its direction of motion."""
+    """The number of times that a body on a line reverses its direction of motion."""
 
     name = "number of reversals"
     of = Bodies()
@@ -169,11 +169,11 @@ class Reversals(EventCount):
     weight = 2.0
 
     def present(self, words: Words, name: str) -> bool:
-        """Return what moves along one line of the room."""
+        """Return whether the body moves along one fixed line."""
         return center_path(words.mechanism, name).straight and not rides(words.mechanism, name)
 
     def times(self, trace: Trace, name: str) -> Sequence[float]:
-        """Return where the sign of its velocity changes, on a line between two instants of a scan.
+        """Return the times, s, at which the velocity changes sign on the line.
 
         Halts without a reversal do not count.
         """
@@ -186,6 +186,6 @@ class Reversals(EventCount):
         return (times[before] + shares * (times[before + 1] - times[before])).tolist()
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Return its velocity."""
+        """Return the channel of the body's velocity."""
         del mechanism
         return (Channel(name, Velocity.name),)

@@ -1,4 +1,4 @@
-"""The kinds of question: what is asked of a motion, in which sentences, and what the answer is."""
+"""Kinds of questions: what each asks of a motion, its sentences and its answers."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
@@ -26,7 +26,7 @@ from sim2reason.simulation.trace import AT_ONCE
 
 @dataclass(frozen=True, slots=True)
 class Measured:
-    """What an answer is: the quantity by name, its unit, and the smallest answer that is one, in that unit.
+    """The quantity, unit and smallest admissible value of an answer.
 
     What is `whole` is counted: its answer is a whole number, and only that is right.
     """
@@ -38,19 +38,19 @@ class Measured:
 
 
 class Kind(ABC):
-    """One kind of question. All that the library knows of it stands on its class.
+    """The base class of question kinds.
 
     Class data:
         name: under which it is registered.
-        share: how often it is asked, compared with other kinds; positive, or it could not be registered.
-        of_symbols: whether an answer is a function of the text's symbols, none of which it leaves unknown.
-        whole: whether answers are whole numbers.
-        awaited: whether the motion brings an answer about in its own time, though no moment is named.
-        derivable: whether it is asked only where some worked solution leads to the answer without any integration.
-        costly: whether it is asked by its weight alone, not in place of others: most take many motions to draw.
-        beyond_laws: whether more than laws and their formulas leads to an answer, as a derivative or a limit does.
-        hides: whether its questions leave a number of the text open, which other questions about it may need.
-        names_one: whether its answers name one of two things beside a number, so that only options can ask for them.
+        share: relative frequency among all kinds; positive.
+        of_symbols: whether the answer is a function of the text's symbols alone.
+        whole: whether answers are integers.
+        awaited: whether the answer depends on an unnamed later time of the motion, such as its period.
+        derivable: whether questions require a worked solution without integration.
+        costly: whether the kind is drawn by its share only, never as a substitute, as it needs many simulations.
+        beyond_laws: whether a solution needs more than laws and formulas, such as a derivative or a limit.
+        hides: whether questions leave a number of the text open.
+        names_one: whether answers name one of two candidates besides a number, so that they need options.
     """
 
     name: ClassVar[str]
@@ -66,35 +66,35 @@ class Kind(ABC):
 
     @property
     def stated(self) -> bool:
-        """Return whether it has words for its answers as conditions."""
+        """Return whether the kind can phrase its answers as conditions."""
         return type(self).called is not Kind.called
 
     def of_motion(self, query: Query) -> bool:
-        """Return whether an answer may depend on how the motion begins; by default it does."""
+        """Return whether an answer may depend on the initial motion; by default True."""
         del query
         return True
 
     @abstractmethod
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """Something to ask about this motion, or None if it offers nothing of this kind."""
+        """Return a random query of this kind about a motion; None if there is none."""
 
     def at(
         self, moment: Moment, study: Study, words: Words, targets: Targets, rng: np.random.Generator
     ) -> Query | None:
-        """Something to ask about a moment of which another question speaks; None, as by default, for nothing."""
+        """Return a query of this kind at another question's moment; None, as by default, if there is none."""
         del moment, study, words, targets, rng
         return None
 
     @abstractmethod
     def answer(self, query: Query, study: Study) -> float | None:
-        """The value in SI units; None if what is asked about does not come, NaN if the mechanism leaves it open."""
+        """Return the answer in SI units; None if the moment does not occur, NaN if the mechanism leaves it open."""
 
     def loose_answer(self, query: Query, study: Study) -> float | None:
-        """What a reader may answer in another scene, even where this kind would not ask; by default the answer."""
+        """Return the answer that a reader may give even where none is asked for; by default `answer`."""
         return self.answer(query, study)
 
     def expecting(self, query: Query, answer: float) -> Query:
-        """Return a query with the answer that it likely has, where that helps to find it; with 0 it is not known.
+        """Return a query that contains a likely answer, to speed up the search; 0 stands for an unknown one.
 
         By default as it is.
         """
@@ -102,20 +102,20 @@ class Kind(ABC):
         return query
 
     def far_answer(self, query: Query, study: Study) -> float | None:
-        """The answer of who takes the scene for another one, looked for far away, too; by default the loose one."""
+        """Return the answer in a misread scene, searched for over a wide range; by default `loose_answer`."""
         return self.loose_answer(query, study)
 
     @abstractmethod
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """Return all sentences that ask it, the most usual first; `noun` is how its target is called, if it has one."""
+        """Return all sentences of a query, the most usual first; `noun` is the phrase for its target, if any."""
 
     def former(self, query: Query, words: Words) -> tuple[str, ...]:
-        """Return sentences of earlier versions, which are read but no longer written; by default none."""
+        """Return sentences of earlier versions, which are parsed but no longer written; by default none."""
         del query, words
         return ()
 
     def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """Noun phrases for what it asks, its moment included: *the speed of A when B first stops*.
+        """Return noun phrases for the answer, including its moment: *the speed of A when B first stops*.
 
         They are for questions that state it as a condition; by default there are none, and it is never stated.
         """
@@ -123,7 +123,7 @@ class Kind(ABC):
         return ()
 
     def told(self, query: Query, words: Words, noun: Noun | None, value: str) -> tuple[str, ...]:
-        """Statements that it has a value, which is said with its unit; the first one may stand in a clause."""
+        """Return statements that the answer has a value, given with its unit; the first one can stand in a clause."""
         return tuple(f"{called} is {value}" for called in self.called(query, words, noun))
 
     def wanted(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
@@ -132,9 +132,9 @@ class Kind(ABC):
 
     @abstractmethod
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
-        """All that a sentence could ask, by the numbers and names that stand in it; `targets` are those it names.
+        """Yield all queries that a sentence may express, from its numbers and names; `targets` are those it names.
 
-        Which one it does ask, `shapes` tells: it must give that sentence, word for word.
+        The query whose `shapes` contain the sentence, word for word, is the correct one.
         """
 
     def finds(self, words: Words) -> tuple[str, ...]:
@@ -150,22 +150,22 @@ class Kind(ABC):
         del asked, study, words
 
     def late_answer(self, query: Query) -> float | None:
-        """Return what an answer comes closer to, the later what is asked about comes; by default None but for times."""
+        """Return the limit of the answer for ever later moments: inf for times; by default None for other answers."""
         return inf if self.measured(query).name == "time" else None
 
     def time(self, query: Query, study: Study) -> float | None:
-        """Return when all that the answer depends on has happened, s; None if it does not. By default its moment."""
+        """Return the time, s, by which the answer is determined; None if it never is. By default that of the moment."""
         return study.time(query.moment) if query.moment is not None else None
 
     def channels(self, query: Query) -> tuple[Channel, ...]:
-        """Return what both engines must agree on at that time; by default what is asked about."""
+        """Return the channels that must be certified at that time; by default that of the target."""
         return (Channel(query.target.subject, query.target.quantity),) if query.target is not None else ()
 
     def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
-        """Return why both engines don't vouch for the answer, in a few words; empty if they do.
+        """Return a short reason why the answer is not certified; empty if it is.
 
-        By default its channels must be certified from the start to its time. The certificate is None if no second
-        engine was heard.
+        By default its channels must be certified from the start to its time. The certificate is None if there is no
+        second engine.
         """
         return doubt(certificate, self.time(query, study), query.moment, self.channels(query))
 
@@ -175,27 +175,27 @@ class Kind(ABC):
         return False
 
     def measured(self, query: Query) -> Measured:
-        """Return what the answer is; by default the quantity that is asked about."""
+        """Return the quantity, unit and smallest value of the answer; by default those of the target."""
         assert query.target is not None, "a kind that asks for no quantity says what it asks for"
         found = QUANTITIES[query.target.quantity]
         return Measured(found.name, found.unit, found.least)
 
 
 class ValueKind(Kind):
-    """What is a quantity at a moment? The moments say which of these kinds they belong to.
+    """The base class of kinds that ask for a quantity at a moment; each moment declares its kind.
 
     Class data:
-        timeless: whether it is the kind that asks for what never changes, and then names no moment.
+        timeless: whether the kind asks for constant quantities, without a moment.
     """
 
     timeless: ClassVar[bool] = False
 
     def moments(self) -> list[type[Moment]]:
-        """Return the classes of moments at which it asks; UnknownNameError if one names a kind that does not exist."""
+        """Return the classes of moments of this kind; UnknownNameError if a moment declares an unknown kind."""
         return [moment for moment in by_cause() if KINDS[moment.kind] is self]
 
     def answer(self, query: Query, study: Study) -> float | None:
-        """Return the quantity at the moment, or just before it."""
+        """Return the quantity in SI units at the moment, or for some moments just before; None without the moment."""
         assert query.target is not None
         assert query.moment is not None
         time = study.time(query.moment)
@@ -212,7 +212,7 @@ class ValueKind(Kind):
         return naming_then(query, words, noun)
 
     def told(self, query: Query, words: Words, noun: Noun | None, value: str) -> tuple[str, ...]:
-        """Return statements with a verb or the moment first, too: *when B first stops, A is moving at 2.1 m/s*."""
+        """Return statements of the result, such as *when B first stops, A is moving at 2.1 m/s*."""
         assert noun is not None
         return stating_then(query, words, noun, value)
 
@@ -228,7 +228,7 @@ class ValueKind(Kind):
         return Query(self.name, target_named(asked, words), moment) if asks else None
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
-        """Yield every quantity at every moment that it names."""
+        """Yield a query for every quantity and every moment that a sentence names."""
         named = [target for target, noun in targets.items() if self.timeless or not noun.timeless]
         for cls in self.moments():
             for moment in cls.parsed(text, study.trace, words):
@@ -240,7 +240,7 @@ M = TypeVar("M", bound=Moment)
 
 
 def check_share(name: str, member: object) -> None:
-    """Refuse what would never be asked, with ValueError."""
+    """Raise ValueError if a kind declares no positive share, so that it would never be drawn."""
     share = getattr(member, "share", 0.0)
     if not (share > 0.0 and isfinite(share)):
         raise ValueError(f"questions.kinds: {name!r} has the share {share}, so it would never be asked; declare one")
@@ -252,13 +252,13 @@ KINDS: Registry[Kind] = Registry("questions.kinds", check_share)
 
 
 def kind(cls: type[K]) -> type[K]:
-    """Enter a kind of question under its name."""
+    """Register a kind of question under its name."""
     KINDS.add(cls.name, cls())
     return cls
 
 
 def by_share(rng: np.random.Generator) -> list[Kind]:
-    """Order all kinds that ask for a number alone at random, weighted by share; few motions offer all of them."""
+    """Return all kinds with numeric answers in random order, weighted by share, as few motions offer all of them."""
     kinds = [kind for kind in KINDS.values() if not kind.names_one]
     shares = np.array([kind.share for kind in kinds])
     order = rng.choice(len(kinds), size=len(kinds), replace=False, p=shares / shares.sum())
@@ -266,7 +266,7 @@ def by_share(rng: np.random.Generator) -> list[Kind]:
 
 
 def by_cause() -> list[type[Moment]]:
-    """Return all classes of moments: first what the motion brings about, then what a drawn number does."""
+    """Return all classes of moments: first those that the motion determines, then those with a drawn number."""
     return sorted(MOMENTS.values(), key=lambda moment: not moment.event)
 
 
@@ -277,7 +277,7 @@ def drawn(
     rng: np.random.Generator,
     wanted: Callable[[M], bool] = lambda _: True,
 ) -> M | None:
-    """Return a random moment of a motion, of a class chosen at random; None if there is none.
+    """Return a random moment of a motion, of a random class, that satisfies a predicate; None if there is none.
 
     The moment is late enough for everything in the text to affect it.
     """

@@ -1,4 +1,4 @@
-"""By what factor, or by how much, does an answer change if a number is doubled, halved or tripled?"""
+"""Questions for the ratio or difference of an answer if a number is multiplied by two, three or one half."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -21,15 +21,15 @@ from sim2reason.simulation.certify import Certificate
 GERUNDS: Mapping[float, str] = {2.0: "doubling", 0.5: "halving", 3.0: "tripling"}
 OFTEN = (0.6, 0.25, 0.15)
 RATIO = "the ratio of the new value to the original value of"
-RATIOS = 0.85  # of comparisons: how often the factor is asked for, not the difference
-CLEARLY = 0.1  # relative: by how much the answer must change
+RATIOS = 0.85  # of comparisons: the share that asks for a ratio, not a difference
+CLEARLY = 0.1  # relative: least change of the answer
 POWERS = (-2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0)
 """Of the factor of a number: what somebody guesses by mere proportionality must not be the answer."""
 
 
 @dataclass(frozen=True, slots=True)
 class ComparisonQuery(NestedQuery):
-    """How the answer to another query changes if a number is multiplied by a factor.
+    """A query for the change of another query's answer if one number of the scene is multiplied by a factor.
 
     It is the ratio of the new answer to the original one, or how much larger the greater of them is.
     """
@@ -43,19 +43,19 @@ class ComparisonQuery(NestedQuery):
         return [self.changed(study)]
 
     def changed(self, study: Study) -> Study | None:
-        """Return the motion with that number multiplied by the factor; None if there is none."""
+        """Return the motion with the number multiplied by the factor; None if there is none."""
         return study.likewise({self.path: self.factor * float(study.scene.value(self.path))})
 
 
 @kind
 class ComparisonKind(NestedKind):
-    """By what factor, or by how much, does an answer change if a number is doubled, halved or tripled?"""
+    """The kind that asks for the ratio or difference of an answer if a number is doubled, halved or tripled."""
 
     name = "comparison"
     share = 0.04
 
     def _worth(self, inner: Query, path: str, study: Study, rng: np.random.Generator) -> Query | None:
-        """Return one whose ratio no proportionality leads to, where the same things happen in both cases."""
+        """Return a comparison whose answer no simple proportionality gives, with equal courses of events; else None."""
         factor = list(GERUNDS)[int(rng.choice(len(OFTEN), p=OFTEN))]
         query = ComparisonQuery(self.name, inner.target, inner.moment, stripped(inner), path, factor)
         query = replace(query, ratio=bool(rng.random() < RATIOS))
@@ -74,11 +74,11 @@ class ComparisonKind(NestedKind):
         return _compared(query, study, loosely=False)
 
     def loose_answer(self, query: Query, study: Study) -> float | None:
-        """Of what a reader may answer in either case."""
+        """Return the same from the answers that a reader may give in either scene."""
         return _compared(query, study, loosely=True)
 
     def time(self, query: Query, study: Study) -> float | None:
-        """Return when all has happened in both cases."""
+        """Return the time, s, by which both answers are determined; None if one never is."""
         assert isinstance(query, ComparisonQuery)
         other, inner = query.changed(study), query.inner
         times = [KINDS[inner.kind].time(inner, held) if held is not None else None for held in (study, other)]
@@ -96,7 +96,7 @@ class ComparisonKind(NestedKind):
         return vouched(inner, other)
 
     def measured(self, query: Query) -> Measured:
-        """Return a ratio, or a difference in the unit of the other answer."""
+        """Return the measure of a ratio, or of a difference in the unit of the inner answer."""
         assert isinstance(query, ComparisonQuery)
         if query.ratio:
             return Measured("ratio", "", least=1e-2)
@@ -104,7 +104,7 @@ class ComparisonKind(NestedKind):
         return Measured("difference", found.unit, found.least)
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """As in: by what factor would doubling the mass of A multiply the speed of B 0.80 s after release?"""
+        """Return sentences such as *by what factor would doubling the mass of A multiply the speed of B?*."""
         assert isinstance(query, ComparisonQuery)
         number = words.named.get(query.path)
         if number is None or query.factor not in GERUNDS:
@@ -113,7 +113,7 @@ class ComparisonKind(NestedKind):
         return tuple(form.format(name) for form, name in product(forms, self.names(query, words, noun)))
 
     def former(self, query: Query, words: Words) -> tuple[str, ...]:
-        """Return *what would be the ratio of the new value to the original value of …*, for a doubled number, say."""
+        """Return sentences such as *what would be the ratio of the new value to the original value of …*."""
         assert isinstance(query, ComparisonQuery)
         number = words.named.get(query.path)
         if number is None or not query.ratio or query.factor not in GERUNDS:
@@ -123,7 +123,7 @@ class ComparisonKind(NestedKind):
         return tuple(f"what would be {RATIO} {name}, if {changed}?" for name in self.names(query, words, noun))
 
     def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """As in: the factor by which doubling the mass of A would multiply the speed of B 0.80 s after release."""
+        """Return noun phrases such as *the factor by which doubling the mass of A would multiply the speed of B*."""
         assert isinstance(query, ComparisonQuery)
         number = words.named.get(query.path)
         if number is None or not query.ratio or query.factor not in GERUNDS:
@@ -132,7 +132,7 @@ class ComparisonKind(NestedKind):
         return tuple(f"the factor by which {GERUNDS[query.factor]} {number} would multiply {name}" for name in names)
 
     def told(self, query: Query, words: Words, noun: Noun | None, value: str) -> tuple[str, ...]:
-        """Return a text such as *doubling the mass of A would multiply the speed of B 0.80 s after release by 1.4*."""
+        """Return statements such as *doubling the mass of A would multiply the speed of B by 1.4*."""
         assert isinstance(query, ComparisonQuery)
         number = words.named.get(query.path)
         if number is None or not query.ratio or query.factor not in GERUNDS:
@@ -141,7 +141,7 @@ class ComparisonKind(NestedKind):
         return tuple(f"{changing} would multiply {name} by {value}" for name in self.names(query, words, noun))
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
-        """Yield every change of every number that is named, with every question that it could be about."""
+        """Yield a query for every change of a number that a sentence names, with every inner question."""
         changes = [
             (path, factor, ratio, grows)
             for path, number in words.named.items()
@@ -175,7 +175,7 @@ def compared(inner: Query, asked: StructuredQuestion, study: Study, words: Words
 
 
 def _ratio_forms(query: ComparisonQuery, number: str) -> tuple[str, ...]:
-    """Return the questions for a ratio, with a gap for what is compared."""
+    """Return the sentences for a ratio, with a placeholder for the compared answer."""
     changing, changed = f"{GERUNDS[query.factor]} {number}", f"{number} were {_done(query.factor)}"
     ratio = f"{RATIO} {{}}"
     return (
@@ -187,7 +187,7 @@ def _ratio_forms(query: ComparisonQuery, number: str) -> tuple[str, ...]:
 
 
 def _difference_forms(query: ComparisonQuery, number: str) -> tuple[str, ...]:
-    """Return the questions for a difference, with a gap for what is compared."""
+    """Return the sentences for a difference, with a placeholder for the compared answer."""
     changing, changed = f"{GERUNDS[query.factor]} {number}", f"{number} were {_done(query.factor)}"
     verb, change = ("increase", "increase") if query.grows else ("reduce", "decrease")
     return (
@@ -199,7 +199,7 @@ def _difference_forms(query: ComparisonQuery, number: str) -> tuple[str, ...]:
 
 
 def _done(factor: float) -> str:
-    """*Doubled*."""
+    """Return the participle of a factor, such as *doubled*."""
     return f"{GERUNDS[factor].removesuffix('ing')}ed"
 
 
@@ -220,12 +220,12 @@ def _least(inner: Query) -> float:
 
 
 def _course(inner: Query, study: Study) -> tuple[object, ...]:
-    """Return what happens in turn until the answer is known, and which way everything has moved by then."""
+    """Return the course of events until the answer is known, and the direction of each coordinate's change."""
     time = KINDS[inner.kind].time(inner, study) or 0.0
     return study.trace.story(time), ways(study, time)
 
 
 def _is_guessed(ratio: float, factor: float) -> bool:
-    """Return whether a power of the factor is the ratio, or nearly, or nothing much changes."""
+    """Return whether the ratio is nearly a simple power of the factor, or nearly one."""
     near = any(abs(factor**power / ratio - 1.0) <= NEARLY * TOLERANCE for power in POWERS)
     return near or abs(log(ratio)) < CLEARLY

@@ -1,4 +1,4 @@
-"""What is the quantity in the position of equilibrium?"""
+"""Questions for a quantity in the equilibrium position."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -27,25 +27,25 @@ STILL = 1e-6  # m or rad
 
 @dataclass(frozen=True, slots=True)
 class EquilibriumQuery(Query):
-    """A quantity in equilibrium; of a `stable` one the text says so, since there may be others."""
+    """A query for a quantity in equilibrium; the text calls the equilibrium `stable` if there may be others."""
 
     stable: bool = False
 
 
 @kind
 class EquilibriumKind(Kind):
-    """What is a length, an angle or a force where everything would stay at rest, whatever the motion before?"""
+    """The kind that asks for a length, an angle or a force in equilibrium, whatever the motion before."""
 
     name = "equilibrium"
     share = 0.3
 
     def of_motion(self, query: Query) -> bool:
-        """Not of one, but for what is measured from its start: there is one stable equilibrium alone."""
+        """Return whether the answer depends on the motion: only for displacements from the start."""
         assert query.target is not None
         return QUANTITIES[query.target.quantity].from_start
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """Return a magnitude at a stable equilibrium away from the start that is no body's weight; None without one.
+        """Return a query for a magnitude, not a weight, in a stable equilibrium away from the start; None without one.
 
         Nor a change in energy since the start. `doubt` refuses it where there is another equilibrium.
         """
@@ -72,34 +72,34 @@ class EquilibriumKind(Kind):
         return EquilibriumQuery(self.name, target, stable=not rest.linear)
 
     def answer(self, query: Query, study: Study) -> float | None:
-        """Return the quantity there."""
+        """Return the quantity in equilibrium, in SI units."""
         assert query.target is not None
         rest = equilibrium(study.mechanism)
         return query.target.value(rest.state) if rest is not None else None
 
     def time(self, query: Query, study: Study) -> float | None:
-        """It does not depend on the motion."""
+        """Return zero, as the answer does not depend on the motion."""
         del query, study
         return 0.0
 
     def channels(self, query: Query) -> tuple[Channel, ...]:
-        """Return nothing of the motion."""
+        """Return no channels, as the answer does not depend on the motion."""
         del query
         return ()
 
     def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
-        """Begun at rest there, nothing moves in the second engine, and all forces are the same."""
+        """Return why the second engine, started at rest in equilibrium, disagrees; empty if it agrees."""
         del query, certificate
         rest = lone_equilibrium(study.mechanism)
         return "there is no equilibrium, or another one" if rest is None else unrest(rest)
 
     def indifferent(self, query: Query, study: Study, other: Study) -> bool:
-        """Return how the motion begins, and what is inert alone, as a mass on a level table is."""
+        """Return whether the scenes differ only in initial velocities and in masses that do not affect equilibrium."""
         del query
         return alike_at_rest(study.mechanism, other.mechanism, ("lengths", "forces", "stiffness"))
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """As in: in the position of equilibrium, what is the length of the spring?"""
+        """Return sentences such as *in the position of equilibrium, what is the length of the spring?*."""
         del words
         assert query.target is not None
         assert noun is not None
@@ -129,7 +129,7 @@ class EquilibriumKind(Kind):
         return EquilibriumQuery(self.name, target, stable=not rest.linear)
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
-        """Yield every quantity that is named."""
+        """Yield a query for every quantity that a sentence names."""
         del study, words
         if "equilibrium" in text:
             yield from (
@@ -138,14 +138,14 @@ class EquilibriumKind(Kind):
 
 
 def _whens(query: Query) -> tuple[str, ...]:
-    """Phrases for where that is."""
+    """Return the phrases for the equilibrium position."""
     assert isinstance(query, EquilibriumQuery)
     called = equilibrium_called(stable=query.stable)
     return tuple(when.format(called) for when in WHEN)
 
 
 def _worth(mechanism: Mechanism) -> bool:
-    """Whether it takes more than a glance to find where all comes to rest: not below the point that it hangs from."""
+    """Return whether the equilibrium needs a calculation, unlike a pendulum vertically below its pivot."""
     springs = any(isinstance(line.law, Elastic) for line in mechanism.lines)
     strings = len(mechanism.lines)
     return springs or strings > 1 or bool(mechanism.forces)

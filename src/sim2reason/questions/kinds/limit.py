@@ -1,4 +1,4 @@
-"""What does an answer approach as one mass becomes far larger, or far smaller, than all others?"""
+"""Questions for the limit of an answer as one mass becomes far larger, or far smaller, than all others."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -17,16 +17,16 @@ from sim2reason.simulation.certify import Certificate
 RATIO = 10.0
 TIMES = tuple(3e2 * RATIO**turn for turn in range(3))
 """Of the largest mass, or parts of the smallest: where the answer is looked at. No mass may be a million kilograms."""
-NEARER = 1e3  # where the second engine is asked
-CLEARLY = 0.1  # relative: by how much the limit must differ from the answer with the mass as it is
-SETTLED = 1e-2  # relative: by how much the answer may still change between the last two
-SEEN = 0.02  # relative: how close it must be to the limit where the second engine is asked
+NEARER = 1e3  # factor on the mass for the second engine
+CLEARLY = 0.1  # relative: least difference between the limit and the answer with the actual mass
+SETTLED = 1e-2  # relative: largest change of the answer between the last two masses
+SEEN = 0.02  # relative: largest distance from the limit in the second engine
 MASS = "kg"
 
 
 @dataclass(frozen=True, slots=True)
 class LimitQuery(NestedQuery):
-    """What the answer to another query approaches as the mass at an address grows without bound, or vanishes."""
+    """A query for the limit of another query's answer as the mass at an address grows without bound, or vanishes."""
 
     large: bool = True
 
@@ -35,7 +35,7 @@ class LimitQuery(NestedQuery):
         return self.extremes(study)
 
     def extremes(self, study: Study, times: Sequence[float] = TIMES) -> list[Study | None]:
-        """Return the motions with that mass far beyond all others, farther and farther."""
+        """Return the motions with the mass multiplied by ever larger factors, or divided by them."""
         masses = [float(p.value) for p in study.scene.parameters if p.measure.unit == MASS and p.value]
         end = max(masses) if self.large else min(masses)
         return [study.likewise({self.path: end * by if self.large else end / by}) for by in times]
@@ -43,7 +43,7 @@ class LimitQuery(NestedQuery):
 
 @kind
 class LimitKind(NestedKind):
-    """What does an answer approach as one mass becomes far larger, or far smaller, than all others?"""
+    """The kind that asks for the limit of an answer as one mass becomes far larger, or far smaller, than all others."""
 
     name = "limit"
     share = 0.06
@@ -51,16 +51,16 @@ class LimitKind(NestedKind):
     inner = ("start", "event", "time_to_event")
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """As others do, where forces are constant: what swings beside so large a mass takes long to be integrated."""
+        """Return a random query; None if forces vary, as oscillations beside a huge mass are slow to integrate."""
         return None if changing(study.mechanism) else super().draw(study, words, targets, rng)
 
     def _numbers(self, study: Study, words: Words, rng: np.random.Generator) -> Iterable[str]:
-        """Of the masses, where there are several."""
+        """Return the addresses of the masses in random order, if there are several."""
         masses = {p.path for p in study.scene.parameters if p.measure.unit == MASS and p.value}
         return [path for path in super()._numbers(study, words, rng) if path in masses and len(masses) > 1]
 
     def _worth(self, inner: Query, path: str, study: Study, rng: np.random.Generator) -> Query | None:
-        """Return one that has a limit other than zero, and approaches it from far away without turning round."""
+        """Return a query with a nonzero limit that the answer approaches monotonically; None if there is none."""
         del rng
         query = LimitQuery(self.name, inner.target, inner.moment, stripped(inner), path)
         least = KINDS[inner.kind].measured(inner).least
@@ -79,7 +79,7 @@ class LimitKind(NestedKind):
         return _limit(query, study)
 
     def time(self, query: Query, study: Study) -> float | None:
-        """Return when all has happened in the motion as it is, and with the mass far beyond all others."""
+        """Return the time, s, by which the answer is determined in the actual motion and with the extreme mass."""
         assert isinstance(query, LimitQuery)
         inner = query.inner
         kind = KINDS[inner.kind]
@@ -88,7 +88,7 @@ class LimitKind(NestedKind):
         return max(known) if len(known) == len(times) else None
 
     def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
-        """Return both engines must vouch for a motion whose answer is close to the limit."""
+        """Return why a motion with an answer close to the limit is not certified; empty if it is."""
         assert isinstance(query, LimitQuery)
         inner, (near,) = query.inner, query.extremes(study, (NEARER,))
         reason = KINDS[inner.kind].doubt(inner, study, certificate)
@@ -100,18 +100,18 @@ class LimitKind(NestedKind):
         return vouched(inner, near)
 
     def indifferent(self, query: Query, study: Study, other: Study) -> bool:
-        """To whatever has no bearing in the limit: to see which numbers these are is what is asked for."""
+        """Return True: to find which numbers do not matter in the limit is the point of the question."""
         del query, study, other
         return True
 
     def measured(self, query: Query) -> Measured:
-        """Return that of the other question."""
+        """Return the measure of the inner question."""
         inner = inner_of(query)
         found = KINDS[inner.kind].measured(inner)
         return Measured("limit", found.unit, found.least)
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """As in: what does the acceleration of A approach as the mass of B is made larger and larger?"""
+        """Return sentences such as *what does the acceleration of A approach as the mass of B grows ever larger?*."""
         assert isinstance(query, LimitQuery)
         number = words.named.get(query.path)
         if number is None:
@@ -129,7 +129,7 @@ class LimitKind(NestedKind):
         return tuple(form.format(name) for form, name in product(forms, self.names(query, words, noun)))
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
-        """Yield every limit of whatever is named, for every mass that is."""
+        """Yield a query for every limit of a quantity and mass that a sentence names."""
         numbers = [path for path, number in words.named.items() if f"{number} " in text]
         if not numbers or not any(said in text for said in ("approach", "limit", "all other masses")):
             return
@@ -139,7 +139,7 @@ class LimitKind(NestedKind):
 
 
 def _limit(query: LimitQuery, study: Study) -> float | None:
-    """Return the answers far away, extrapolated by a parabola of the inverse of the mass, or of the mass itself."""
+    """Return the limit, extrapolated by a parabola in the inverse mass, or in the mass."""
     answers = [answered(query.inner, other, loosely=True) for other in query.extremes(study)]
     found = [answer for answer in answers if answer is not None]
     if len(found) < len(TIMES) or abs(found[-1] - found[-2]) > SETTLED * abs(found[-1]):
@@ -149,6 +149,6 @@ def _limit(query: LimitQuery, study: Study) -> float | None:
 
 
 def _way(inner: Query, study: Study) -> tuple[object, ...]:
-    """Return what happens in turn until the answer is known, and which way everything has moved that does."""
+    """Return the course of events until the answer is known, and the directions of moving coordinates."""
     time = KINDS[inner.kind].time(inner, study) or 0.0
     return study.trace.story(time), ways(study, time)

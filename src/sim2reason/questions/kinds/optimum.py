@@ -1,4 +1,4 @@
-"""For which value of a number is an answer greatest or least, and what is it then?"""
+"""Questions for the value of a number that makes an answer greatest or least, or for that extreme answer."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
@@ -26,21 +26,21 @@ from sim2reason.simulation.certify import Certificate
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import FINEST
 
-DRAWS = {"start": 1, "event": 3, "period": 1}  # of other questions, by kind
-CLOSELY = 2  # pairs of a question and a number that are looked at closely
-PLACES = 0.6  # of such questions: how often the number is asked for, not the extreme value
-CLEARLY = 0.05  # relative: by how much the answer must differ at the ends of what is usual
-STRIDE = 6  # of the points of a range that are looked at
-ASIDE = 0.15  # relative: how far to either side the second engine is asked
-SEEN = 2e-3  # relative: by how much the answer must differ there, so that the engines can tell it
-RIGHT = 90.0  # degrees: an angle at which nothing is to be found out
+DRAWS = {"start": 1, "event": 3, "period": 1}  # weights of the kinds of inner questions
+CLOSELY = 2  # candidate pairs of a question and a number that are examined closely
+PLACES = 0.6  # of such questions: the share that asks for the number, not the extreme answer
+CLEARLY = 0.05  # relative: least difference between the extreme and the answers at the ends of the usual range
+STRIDE = 6  # stride through the points of a range
+ASIDE = 0.15  # relative: distance on either side at which the second engine is compared
+SEEN = 2e-3  # relative: least difference of the answers there, so that the engines can resolve it
+RIGHT = 90.0  # degrees: a trivial optimum
 SAID = {True: ("greatest", "as large"), False: ("least", "as small")}
-EXTREMES = "greatest", "least"  # words that stand in no noun whose greatest value is asked for
+EXTREMES = "greatest", "least"  # words that a noun phrase must not contain to ask for its extreme
 
 
 @dataclass(frozen=True, slots=True)
 class OptimumQuery(NestedQuery):
-    """The value of a number for which the answer to another query is greatest or least, or that answer."""
+    """A query for the value of a number that makes another query's answer greatest or least, or for that answer."""
 
     unit: str = ""
     greatest: bool = True
@@ -49,11 +49,11 @@ class OptimumQuery(NestedQuery):
 
     @property
     def hides(self) -> str:
-        """The number."""
+        """Return the address of the number, which the text leaves open."""
         return self.path
 
     def extreme(self, study: Study) -> StationaryValue | None:
-        """In a scene: near where it is known to be, else among all usual values."""
+        """Return the extreme in a scene, searched near a known one or over the usual range; None if there is none."""
         error = study.trace.tolerance or FINEST
         return study.once(
             ("extreme", self.inner, self.path, self.greatest, self.about), lambda: self._found(study, error)
@@ -69,14 +69,14 @@ class OptimumQuery(NestedQuery):
         return found if found is not None and found.greatest is self.greatest else None
 
     def place(self, study: Study) -> float | None:
-        """Return the value of the number in a scene."""
+        """Return the optimal value of the number in a scene; None if there is none."""
         found = self.extreme(study)
         return found.place if found is not None else None
 
 
 @kind
 class OptimumKind(NestedKind):
-    """For which value of a number is an answer greatest or least, and what is it then?"""
+    """The kind that asks for the value of a number that makes an answer greatest or least, or for that answer."""
 
     name = "optimum"
     share = 0.08
@@ -85,7 +85,7 @@ class OptimumKind(NestedKind):
     inner = ("start", "event", "period")
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """Return a question whose answer is seen to turn back as one of a few numbers grows, if it is worth it."""
+        """Return a random query whose answer has an interior extreme and is worth asking; None if there is none."""
         if study.mechanism is not study.scene.mechanism:
             return None
         inners = self._drawn(study, words, targets, rng)
@@ -96,7 +96,7 @@ class OptimumKind(NestedKind):
         return next((query for query in found if query is not None), None)
 
     def _drawn(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> list[Query]:
-        """Return some questions of other kinds."""
+        """Return random inner queries of other kinds."""
         found = dict[Query, None]()
         for name in self.inner:
             for _ in range(DRAWS[name]):
@@ -106,15 +106,15 @@ class OptimumKind(NestedKind):
         return list(found)
 
     def _numbers(self, study: Study, words: Words, rng: np.random.Generator) -> Iterable[str]:
-        """Return some of those that a text may leave unknown, angles and lengths first: most designs are shapes."""
+        """Return addresses of numbers that the text may leave unknown, angles and lengths first."""
         return [unknown.path for unknown in sorted(some(words.unknowns, study.scene, rng), key=_is_no_shape)]
 
     def _can_be_about(self, name: str) -> bool:
-        """Return whether it is no greatest value itself."""
+        """Return whether a phrase does not itself name an extreme value."""
         return super()._can_be_about(name) and not any(word in name for word in EXTREMES)
 
     def _worth(self, inner: Query, path: str, study: Study, rng: np.random.Generator) -> Query | None:
-        """Return one that is clear, smooth and within what is usual."""
+        """Return a query with a distinct, smooth extreme in the usual range; None if there is none."""
         values = usual_values(study, path)
         answers = Dependence(inner, study, path, COARSE)
         rough = StationaryPoint(answers).among(values) if len(values) > 2 else None
@@ -134,7 +134,7 @@ class OptimumKind(NestedKind):
         return replace(query, about=place) if place is not None else None
 
     def answer(self, query: Query, study: Study) -> float | None:
-        """Return the number, or the extreme value."""
+        """Return the optimal number, or the extreme answer."""
         assert isinstance(query, OptimumQuery)
         found = query.extreme(study)
         if found is None:
@@ -142,17 +142,17 @@ class OptimumKind(NestedKind):
         return found.place if query.asks_place else found.value
 
     def expecting(self, query: Query, answer: float) -> Query:
-        """Return where the extreme likely is."""
+        """Return a query that contains the likely optimum."""
         assert isinstance(query, OptimumQuery)
         return replace(query, about=answer) if query.asks_place else query
 
     def time(self, query: Query, study: Study) -> float | None:
-        """When it has happened in the motion that is recorded, with the number as it was drawn; else the start."""
+        """Return the time, s, of the inner moment in the recorded motion; zero if it does not occur there."""
         inner = inner_of(query)
         return KINDS[inner.kind].time(inner, study) or 0.0
 
     def measured(self, query: Query) -> Measured:
-        """Return the number, or the other answer."""
+        """Return the measure of the number, or of the inner answer."""
         assert isinstance(query, OptimumQuery)
         if query.asks_place:
             return Measured("optimum", query.unit, least=0.0)
@@ -160,12 +160,12 @@ class OptimumKind(NestedKind):
         return Measured("extreme value", found.unit, found.least)
 
     def channels(self, query: Query) -> tuple[Channel, ...]:
-        """Return None of the motion that is recorded."""
+        """Return no channels, as the recorded motion does not determine the answer."""
         del query
         return ()
 
     def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
-        """It must be the only one in the whole range, and both engines must see it between values to its sides."""
+        """Return why the extreme is not unique in the range, or not confirmed by both engines; empty if it is."""
         del certificate
         assert isinstance(query, OptimumQuery)
         found = query.extreme(study)
@@ -186,7 +186,7 @@ class OptimumKind(NestedKind):
         return ""
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """As in: find the mass of A for which the kinetic energy of B when it has moved 0.50 m is greatest."""
+        """Return sentences such as *find the mass of A for which the kinetic energy of B … is greatest*."""
         assert isinstance(query, OptimumQuery)
         unknown = next((found for found in words.unknowns if found.path == query.path), None)
         if unknown is None:
@@ -215,7 +215,7 @@ class OptimumKind(NestedKind):
         )
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
-        """Yield every extreme of whatever is named, with every number that the text may leave unknown."""
+        """Yield a query for every extreme of a quantity that a sentence names, with every unknown number."""
         extremes = [
             great
             for great, said in ((True, ("greatest", "as large")), (False, ("least", "as small")))
@@ -231,7 +231,7 @@ class OptimumKind(NestedKind):
 
 
 def _turns(inner: Query, path: str, study: Study) -> bool:
-    """Return whether an answer is seen to turn back once, over a few values of a number."""
+    """Return whether an answer has one interior extreme over a few values of a number."""
     values = usual_values(study, path)
     if len(values) < FEW:
         return False
@@ -254,13 +254,13 @@ def _is_no_shape(unknown: Unknown) -> bool:
 
 
 def usual_values(study: Study, path: str) -> list[float]:
-    """Return some points of the range of a number that are not far from what is drawn, in order."""
+    """Return points of the usual range of a number, in ascending order."""
     values = range_of(study.scene, path)
     return [value for value in values if is_usual(study.scene, path, value)][::2]
 
 
 def _is_clear(found: StationaryValue, end: float | None) -> bool:
-    """Return whether the answer at an end of the range differs clearly, and on the right side."""
+    """Return whether an answer at an end of the range differs clearly from the extreme, on the right side."""
     if end is None:
         return False
     beyond = (found.value - end) if found.greatest else (end - found.value)
@@ -272,5 +272,5 @@ def _least(inner: Query) -> float:
 
 
 def _valued(phrase: str) -> str:
-    """*The mass of block A*, *the value of m*."""
+    """Return the noun phrase for a value: *the mass of block A*, *the value of m*."""
     return phrase if phrase.startswith("the ") else f"the value of {phrase}"

@@ -1,4 +1,4 @@
-"""What is the period, or the frequency, of a motion that repeats, or of small oscillations about the equilibrium?"""
+"""Questions for the period or frequency of a periodic motion or of small oscillations."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -33,26 +33,26 @@ PEOPLE = {PENDULUM: Measured("length of a simple pendulum of the same period", "
 """Measures that recipes never ask for: the length of the simple pendulum whose small swings have the same period."""
 OFTEN = (0.6, 0.25, 0.15)
 EVEN = 0.5
-MANY = 3  # modes: of more, no number can be found on paper
-APART = 0.05  # relative: two modes closer than that are not told apart
-BEYOND, WITHIN = 0.06, 1e-3  # relative: the period of small swings is wrong, or right, for a motion that is not small
+MANY = 3  # modes: with more, no frequency can be found on paper
+APART = 0.05  # relative: least difference between distinguishable modes
+BEYOND, WITHIN = 0.06, 1e-3  # relative: the period of small oscillations differs from, or equals, that of a large one
 
 
 @kind
 class PeriodKind(Kind):
-    """What is the period of a motion that repeats itself, or of small oscillations about the equilibrium?"""
+    """The kind that asks for the period of a periodic motion, or of small oscillations about equilibrium."""
 
     name = "period"
     share = 0.35  # as often as a velocity, where it exists
     awaited = True
 
     def of_motion(self, query: Query) -> bool:
-        """Not that of small oscillations: their equilibrium is the only one."""
+        """Return whether the answer depends on the initial motion, as that of small oscillations does not."""
         assert isinstance(query, PeriodQuery)
         return not query.small
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """The motion itself, or small oscillations; where both have one period, there is nothing small about it."""
+        """Return a query for the period of the motion or of small oscillations; the latter only if the two differ."""
         del targets
         motion = self._repeating(study, words, rng)
         if motion is not None and _off(study.mechanism, self.time(motion, study) or 0.0) <= WITHIN:
@@ -61,7 +61,7 @@ class PeriodKind(Kind):
         return motion if small is None or (motion is not None and rng.random() < EVEN) else small
 
     def _small(self, study: Study, words: Words, rng: np.random.Generator) -> PeriodQuery | None:
-        """Return small oscillations about a stable equilibrium, in one of a few modes.
+        """Return a query for small oscillations about a stable equilibrium with few modes; None without one.
 
         `doubt` refuses them where there is another one: to look for that takes longer than all else here.
         """
@@ -82,7 +82,7 @@ class PeriodKind(Kind):
         return replace(small, of=of, rank=rank, modes=count)
 
     def _repeating(self, study: Study, words: Words, rng: np.random.Generator) -> PeriodQuery | None:
-        """Return the motion of any body that comes round again, unless it is nearly that of small oscillations."""
+        """Return a query for a periodic motion whose period is not nearly that of small oscillations; else None."""
         names = list(movers(words)) if steady(study.mechanism) else []
         heavy = [name for name in names if study.mechanism.body[name].mass]
         names = heavy if len(heavy) == 1 else names
@@ -96,7 +96,7 @@ class PeriodKind(Kind):
         return None
 
     def answer(self, query: Query, study: Study) -> float | None:
-        """From the motion itself, or from the mechanism alone."""
+        """Return the period or frequency of the motion or, from the mechanism alone, of small oscillations."""
         assert isinstance(query, PeriodQuery)
         if query.small:
             modes = _modes(study.mechanism)
@@ -113,12 +113,12 @@ class PeriodKind(Kind):
         return {**found, PENDULUM: length or None}[query.measure]
 
     def time(self, query: Query, study: Study) -> float | None:
-        """Return when the motion has come round; small oscillations don't depend on it."""
+        """Return the end of the first period, s; zero for small oscillations, which do not depend on the motion."""
         assert isinstance(query, PeriodQuery)
         return 0.0 if query.small else study.time(Repetition(query.of[0]))
 
     def late_answer(self, query: Query) -> float | None:
-        """Beside a motion that takes for ever, as of a pendulum that comes to rest at the top, it takes ever longer."""
+        """Return inf for a period, the limit near motions that take forever, as to the top of a pendulum's circle."""
         assert isinstance(query, PeriodQuery)
         if query.small:
             return None
@@ -130,7 +130,7 @@ class PeriodKind(Kind):
         return () if query.small else (Channel(query.of[0], "displacement"), Channel(query.of[0], "velocity"))
 
     def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
-        """Return why small oscillations are doubted: another equilibrium, or another period in the second engine."""
+        """Return why small oscillations are not certified: another equilibrium, or a different period in one engine."""
         assert isinstance(query, PeriodQuery)
         if not query.small:
             return Kind.doubt(self, query, study, certificate)
@@ -140,23 +140,23 @@ class PeriodKind(Kind):
         return disagreement(rest, modes, query.rank)
 
     def measured(self, query: Query) -> Measured:
-        """Return a period, a frequency, an angular frequency, or a length."""
+        """Return the measure of a period, frequency, angular frequency or length."""
         assert isinstance(query, PeriodQuery)
         return {**MEASURES, **PEOPLE}[query.measure]
 
     def indifferent(self, query: Query, study: Study, other: Study) -> bool:
-        """How the motion begins, and what moves the equilibrium alone, as a weight on a spring or a slope does."""
+        """Return whether the scenes differ only in the initial motion and in numbers that shift the equilibrium."""
         del query
         return alike_at_rest(study.mechanism, other.mechanism, ("inertia", "stiffness"))
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """As in: find the period of small oscillations of the block about the position of equilibrium."""
+        """Return sentences such as *find the period of small oscillations of the block about its equilibrium*."""
         del noun
         assert isinstance(query, PeriodQuery)
         return sentences(query, words) if query.measure in MEASURES else ()
 
     def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """As in: the period of small oscillations of the block about the position of equilibrium."""
+        """Return noun phrases such as *the period of small oscillations of the block about its equilibrium*."""
         del noun
         assert isinstance(query, PeriodQuery)
         return (noun_of(query, words),)
@@ -178,7 +178,7 @@ class PeriodKind(Kind):
         return (resolved("of", asked.of, movers(words)),) if asked.of else ()
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
-        """Yield every measure of every mode, of everything that is named."""
+        """Yield a query for every measure and mode of every body that a sentence names."""
         del study, targets
         if not any(word in text for word in ("period", "frequenc", "scillation", "revolution", "repeat")):
             return
@@ -201,13 +201,13 @@ def _modes(mechanism: Mechanism) -> Oscillations | None:
 
 
 def _measure(words: Words, rng: np.random.Generator, count: int = 3) -> str:
-    """By share; a year has no hertz."""
+    """Return a random measure, weighted by share; only the period for times in years."""
     names, shares = list(MEASURES)[:count], np.array(OFTEN[:count])
     return str(rng.choice(names, p=shares / shares.sum())) if words.units.time == "s" else "period"
 
 
 def _oscillating(words: Words, *, free: bool) -> tuple[str, ...] | None:
-    """Of what small oscillations are: one body, the arm that carries all; two, if all else is free; or everything."""
+    """Return the bodies to which small oscillations are attributed: one, two or, as empty, all; None if unclear."""
     mechanism = words.mechanism
     heavy = tuple(n for n in movers(words) if mechanism.body[n].mass and not is_pulley_wheel(mechanism, n))
     if free:
@@ -225,7 +225,7 @@ def _is_simple_pendulum(mechanism: Mechanism) -> bool:
 
 
 def _off(mechanism: Mechanism, period: float) -> float:
-    """How far, as a share, a period is from that of small oscillations; all of it where there is no one such period."""
+    """Return the relative difference of a period from that of small oscillations; 1 without a single such period."""
     modes = _modes(mechanism)
     if modes is None or len(modes.frequencies) != 1:
         return 1.0

@@ -1,4 +1,4 @@
-"""Extreme values, sums and counts over a stretch of the motion."""
+"""Kinds for extreme values, sums and counts over an interval of the motion."""
 
 from sim2reason.questions.kinds import kind
 from sim2reason.questions.kinds.parts.stretch_kind import StretchKind
@@ -6,7 +6,7 @@ from sim2reason.questions.kinds.parts.stretch_kind import StretchKind
 
 @kind
 class CountKind(StretchKind):
-    """How often does something happen in a stretch of the motion?"""
+    """The kind that asks how many events of one type occur in an interval of the motion."""
 
     name = "count"
     of_symbols = False
@@ -16,7 +16,7 @@ class CountKind(StretchKind):
 
 @kind
 class ExtremumKind(StretchKind):
-    """What is the greatest or least value of a quantity over a stretch of the motion?"""
+    """The kind that asks for the greatest or least value of a quantity in an interval of the motion."""
 
     name = "extremum"
     share = 0.3
@@ -25,7 +25,7 @@ class ExtremumKind(StretchKind):
 
 @kind
 class SumKind(StretchKind):
-    """What does a quantity add up to over a stretch of the motion?"""
+    """The kind that asks for the total of a quantity, such as a distance travelled, in an interval of the motion."""
 
     name = "sum"
     share = 0.25

@@ -1,4 +1,4 @@
-"""At which value of a number does an outcome change?"""
+"""Questions for the value of a number at which an outcome changes."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
@@ -21,15 +21,15 @@ from sim2reason.simulation.certify import WITNESS, Certificate
 from sim2reason.simulation.channels import Channel
 from sim2reason.simulation.trace import FINEST
 
-CLOSE = NEARLY * TOLERANCE  # relative: how far from it one of a changed mechanism is looked for
-FAR = 4.0  # times: how far from it a wrong answer is looked for
+CLOSE = NEARLY * TOLERANCE  # relative: search distance from the known threshold in a changed mechanism
+FAR = 4.0  # factor: search distance for an incorrect answer
 ASKING = {"what is": "?", "find": ".", "determine": ".", "calculate": "."}
-SIDE = 5e-3  # relative: how far to either side of it the second engine is asked
+SIDE = 5e-3  # relative: distance on either side at which the second engine is compared
 
 
 @dataclass(frozen=True, slots=True)
 class ThresholdQuery(Query):
-    """The least or the greatest value of a number for which something does not happen, or that beyond which it does.
+    """A query for the least or greatest value of a number without an outcome, or the value beyond which it occurs.
 
     At the limit itself nothing happens.
     """
@@ -43,23 +43,23 @@ class ThresholdQuery(Query):
 
     @property
     def hides(self) -> str:
-        """The number."""
+        """Return the address of the number, which the text leaves open."""
         return self.parameter
 
     @property
     def subject(self) -> str:
-        """That of the outcome."""
+        """Return the subject of the outcome."""
         return self.outcome.name if self.outcome is not None else ""
 
     def trial(self, study: Study) -> Trial:
-        """Of its outcome, in a scene."""
+        """Return the threshold search for the outcome in a scene."""
         assert self.outcome is not None
         return _shared_trial(study, self.outcome, self.parameter)
 
 
 @kind
 class ThresholdKind(Kind):
-    """What is the least or the greatest value for which something does not happen, or that beyond which it does?"""
+    """The kind that asks for the threshold value of a number at which an outcome changes."""
 
     name = "threshold"
     share = 0.25
@@ -67,7 +67,7 @@ class ThresholdKind(Kind):
     hides = True
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """Return an outcome that changes just once within ten times the range of one of the numbers."""
+        """Return a query for an outcome that changes exactly once in a wide range of a number; None without one."""
         del targets
         found = [outcome for cls in OUTCOMES.values() for outcome in cls.found(words)]
         if not found:
@@ -85,7 +85,7 @@ class ThresholdKind(Kind):
         return None
 
     def answer(self, query: Query, study: Study) -> float | None:
-        """Return where the outcome changes: looked for near where that is known to be, else everywhere.
+        """Return the threshold, searched near a known one or else everywhere; None if there is none.
 
         Of a changed mechanism only where it is close to that: there other values are tried with the same change. None
         for another one that is not its scene's.
@@ -97,7 +97,7 @@ class ThresholdKind(Kind):
         return trial.near(query.about) if query.about else trial.change()
 
     def loose_answer(self, query: Query, study: Study) -> float | None:
-        """Where the outcome changes the way that is asked about, there or between a few values of the whole range."""
+        """Return the threshold with the queried sense of change, nearby or between a few values of the whole range."""
         assert isinstance(query, ThresholdQuery)
         trial, above = query.trial(study), query.greatest is not query.happens
         error = study.trace.tolerance or FINEST
@@ -106,37 +106,37 @@ class ThresholdKind(Kind):
         return trial.rough_change(above=above, error=error)
 
     def expecting(self, query: Query, answer: float) -> Query:
-        """Return where the outcome likely changes."""
+        """Return a query that contains the likely threshold."""
         assert isinstance(query, ThresholdQuery)
         return replace(query, about=answer)
 
     def far_answer(self, query: Query, study: Study) -> float | None:
-        """Return where the outcome changes in a changed scene, also far from where it should."""
+        """Return the threshold in a misread scene, searched for over a wide range."""
         assert isinstance(query, ThresholdQuery)
         return query.trial(study).within(query.about, FAR) if study.change is not None and query.about else None
 
     def time(self, query: Query, study: Study) -> float | None:
-        """Return the start: the motion that is recorded, with the number as it was drawn, tells nothing."""
+        """Return the start, t = 0, as the recorded motion does not determine the answer."""
         del query, study
         return 0.0
 
     def indifferent(self, query: Query, study: Study, other: Study) -> bool:
-        """To how strong gravity is, where its size alone differs: without any, nothing would turn over at all."""
+        """Return whether the scenes differ only in gravity, without which no such outcome could occur."""
         del query
         return replace(other.mechanism, gravity=study.mechanism.gravity) == study.mechanism
 
     def measured(self, query: Query) -> Measured:
-        """Return the number."""
+        """Return the measure of the number."""
         assert isinstance(query, ThresholdQuery)
         return Measured("threshold", query.unit, least=0.0)
 
     def channels(self, query: Query) -> tuple[Channel, ...]:
-        """None: what counts is the outcome on either side."""
+        """Return no channels, as only the outcome on either side of the threshold matters."""
         del query
         return ()
 
     def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
-        """It must change nowhere else; the second engine must see on either side what the first one sees."""
+        """Return why the threshold is not unique, or not confirmed by the second engine; empty if it is."""
         del certificate
         assert isinstance(query, ThresholdQuery)
         assert query.outcome is not None
@@ -148,11 +148,11 @@ class ThresholdKind(Kind):
         return "" if agreed else "the engines disagree on what happens next to the threshold"
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """As in: what is the mass of B above which A begins to slip; what is the greatest for which A stays at rest?"""
+        """Return sentences such as *what is the mass of B above which A begins to slip?*."""
         return tuple(shape for called in self.called(query, words, noun) for shape in _asking(called))
 
     def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """As in: the mass of B above which A begins to slip; the greatest mass of B for which A stays at rest."""
+        """Return noun phrases such as *the mass of B above which A begins to slip*."""
         del noun
         assert isinstance(query, ThresholdQuery)
         assert query.outcome is not None
@@ -188,7 +188,7 @@ class ThresholdKind(Kind):
         return ThresholdQuery(self.name, None, None, outcome, asked.find, unit, greatest=below, about=critical)
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
-        """Yield every outcome of whatever is named, with every number that the text may leave unknown."""
+        """Yield a query for every outcome of a subject that a sentence names, with every unknown number."""
         del study, targets
         outcomes = [outcome for cls in OUTCOMES.values() for outcome in cls.parsed(text, words)]
         for outcome, unknown in product(outcomes, words.unknowns):
@@ -197,12 +197,12 @@ class ThresholdKind(Kind):
 
 
 def _shared_trial(study: Study, outcome: PossibleOutcome, path: str) -> Trial:
-    """Return the one trial that all questions about a study share, so that no motion is followed twice."""
+    """Return the threshold search of an outcome and a number, which all questions about a study share."""
     return study.once(("trial", outcome, path), partial(Trial, study, outcome, path))
 
 
 def _usual_change(study: Study, outcome: PossibleOutcome, path: str) -> tuple[float, bool | None] | None:
-    """Where an outcome changes with a number, if that is near what is drawn, and whether it comes about beyond."""
+    """Return the threshold in the usual range, and whether the outcome occurs above it; None without a threshold."""
     trial = Trial(study, outcome, path)
     critical = trial.usual_change()
     if critical is None or not is_usual(study.scene, path, critical):
@@ -211,14 +211,14 @@ def _usual_change(study: Study, outcome: PossibleOutcome, path: str) -> tuple[fl
 
 
 def _extreme(extreme: str, phrase: str) -> str:
-    """*The least mass of block A*, *the least value of m*."""
+    """Return the noun phrase for an extreme: *the least mass of block A*, *the least value of m*."""
     if phrase.startswith("the "):
         return f"the {extreme} {phrase.removeprefix('the ')}"
     return f"the {extreme} value of {phrase}"
 
 
 def _value(phrase: str) -> str:
-    """*The mass of block A*, *the value of m*."""
+    """Return the noun phrase for a value: *the mass of block A*, *the value of m*."""
     return phrase if phrase.startswith("the ") else f"the value of {phrase}"
 
 

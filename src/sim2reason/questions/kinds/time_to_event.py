@@ -1,4 +1,4 @@
-"""When does something happen for the first time?"""
+"""Questions for the time of an event."""
 
 from collections.abc import Iterator
 
@@ -15,13 +15,13 @@ from sim2reason.questions.words import Words
 
 @kind
 class TimeToEventKind(Kind):
-    """How long after the start does something happen for the first time?"""
+    """The kind that asks for the time from the start to the first occurrence of an event."""
 
     name = "time_to_event"
     share = 0.18
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """Something that happens in this motion."""
+        """Return a query for the time of a random event of the motion; None if there is none."""
         del targets
 
         def wanted(moment: Happening) -> bool:
@@ -33,22 +33,22 @@ class TimeToEventKind(Kind):
     def at(
         self, moment: Moment, study: Study, words: Words, targets: Targets, rng: np.random.Generator
     ) -> Query | None:
-        """Return when that moment comes."""
+        """Return the query for the time of the given moment; None if the time is not worth asking for."""
         del targets, rng
         asked = isinstance(moment, Happening) and moment.clause(words) is not None and not moment.is_plain(study)
         return Query(self.name, None, moment) if asked else None
 
     def answer(self, query: Query, study: Study) -> float | None:
-        """Return the time."""
+        """Return the time of the event, s; None if it does not occur."""
         return self.time(query, study)
 
     def measured(self, query: Query) -> Measured:
-        """Return a time, of a hundredth of a second at least."""
+        """Return the measure of a time, with a smallest answer of 0.01 s."""
         del query
         return Measured("time", "s", least=1e-2)
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """As in: how long after release is B first 0.50 m from its starting point?"""
+        """Return sentences such as *how long after release is B first 0.50 m from its starting point?*."""
         del noun
         assert isinstance(query.moment, Happening)
         clause, since = query.moment.clause(words), words.since
@@ -81,7 +81,7 @@ class TimeToEventKind(Kind):
         return (natural, *super().told(query, words, noun, value))
 
     def wanted(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """Return no noun phrase if `told` has a sentence, which reads better than *the time until … shall be 2 s*."""
+        """Return no noun phrases if `told` has a sentence, which reads better than *the time until … shall be 2 s*."""
         return () if self.told(query, words, noun, "") else self.called(query, words, noun)
 
     def finds(self, words: Words) -> tuple[str, ...]:
@@ -95,7 +95,7 @@ class TimeToEventKind(Kind):
         return Query(self.name, None, moment_of(asked, words))
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
-        """Yield whatever it names that can happen."""
+        """Yield a query for every event that a sentence names."""
         del targets
         for cls in _happenings():
             yield from (Query(self.name, None, moment) for moment in cls.parsed(text, study.trace, words))

@@ -1,4 +1,4 @@
-"""Quantities at the start, at a stated time, and at an event."""
+"""Kinds that ask for quantities at the start, at a stated time, and at an event."""
 
 import numpy as np
 
@@ -17,20 +17,20 @@ from sim2reason.simulation.quantities import QUANTITIES
 
 @kind
 class EventKind(ValueKind):
-    """What is the quantity when something happens: a collision, a body that stops, or that has moved so far?"""
+    """The kind that asks for a quantity at an event, such as a collision or a stop."""
 
     name = "event"
     share = 0.3
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """Return a moment of this motion and a quantity that it bears on, but none that the question tells."""
+        """Return a query for a random quantity at a random event that does not reveal it; None if there is none."""
         moment = drawn(self.moments(), study, words, rng)
         return self.at(moment, study, words, targets, rng) if moment is not None else None
 
     def at(
         self, moment: Moment, study: Study, words: Words, targets: Targets, rng: np.random.Generator
     ) -> Query | None:
-        """Return a quantity that the moment bears on, but none that its words tell."""
+        """Return a query for a quantity that varies near the moment and is not stated; None if there is none."""
         del words
         if moment.kind != self.name:
             return None
@@ -41,22 +41,22 @@ class EventKind(ValueKind):
         return Query(self.name, target, moment) if target is not None else None
 
 
-FEW = 2  # forces beside weight
+FEW = 2  # forces besides weight
 
 
 @kind
 class StartKind(ValueKind):
-    """What is an acceleration or a force at t = 0⁺, which the text does not give?"""
+    """The kind that asks for an acceleration or a force at t = 0⁺."""
 
     name = "start"
     share = 0.25
     timeless = True
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """Return a quantity that differs from zero before anything has moved; just then, if it does not last.
+        """Return a query for a nonzero quantity at the start, or for a constant one; None if there is none.
 
-        None where the text gives what can not bear on it yet, fuel or a speed that changes no equation, and where it
-        is Newton's second law in one line.
+        None if the text gives irrelevant data, such as fuel or a speed that no equation contains, or if the answer
+        follows from Newton's second law in one line.
         """
         mechanism, trace = study.mechanism, study.trace
         if not drawn(self.moments(), study, words, rng) or mechanism.burns:
@@ -72,12 +72,12 @@ class StartKind(ValueKind):
     def at(
         self, moment: Moment, study: Study, words: Words, targets: Targets, rng: np.random.Generator
     ) -> Query | None:
-        """Return the same, since the start is the only moment that it asks about."""
+        """Return a query at the start; None for any other moment."""
         return self.draw(study, words, targets, rng) if moment.kind == self.name else None
 
 
 def _one_line(mechanism: Mechanism) -> bool:
-    """Return whether nothing but weight acts, or no more than two forces act on a lone point."""
+    """Return whether only weight acts, or at most two forces act on a single point mass."""
     massive = [body for body in mechanism.bodies if body.mass and not (body.parent is None and not body.coordinates)]
     alone = len(massive) == 1 and not any(massive[0].inertia) and not mechanism.contacts
     acting = (*mechanism.lines, *mechanism.forces, *mechanism.attractions)
@@ -85,14 +85,14 @@ def _one_line(mechanism: Mechanism) -> bool:
 
 
 def _speeds_idle(mechanism: Mechanism) -> bool:
-    """Return whether something moves at the start, while forces hang on places alone, or on nothing."""
+    """Return whether something moves at the start, while forces depend at most on positions."""
     if not any(coordinate.speed for coordinate in mechanism.coordinates):
         return False
     return _free(mechanism) or not changing(mechanism)
 
 
 def _free(mechanism: Mechanism) -> bool:
-    """Return whether nothing leads or rubs, and nothing but springs and attractions acts beside weight."""
+    """Return whether there are no guides or friction, and only undamped springs and attractions act besides weight."""
     led = mechanism.constraints or mechanism.contacts or mechanism.forces or mechanism.feet
     elastic = (line.law for line in mechanism.lines if isinstance(line.law, Elastic))
     return not led and all(c.kind == "slide" for c in mechanism.coordinates) and not any(law.damping for law in elastic)
@@ -100,13 +100,13 @@ def _free(mechanism: Mechanism) -> bool:
 
 @kind
 class StateKind(ValueKind):
-    """What is the quantity at a stated time?"""
+    """The kind that asks for a quantity at a stated time."""
 
     name = "state"
     share = 0.06  # at most 30 % of all that passes the filters
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """Draw a quantity at a time that is not close to an event, whose value differs then from the initial one.
+        """Return a query for a changed quantity at a random time away from events; None if there is none.
 
         None where no short formula gives the motion as a function of time.
         """
@@ -118,7 +118,7 @@ class StateKind(ValueKind):
     def at(
         self, moment: Moment, study: Study, words: Words, targets: Targets, rng: np.random.Generator
     ) -> Query | None:
-        """Any quantity that is not then what it was at the start."""
+        """Return a query for a quantity that differs from its initial value at the moment; None if there is none."""
         del words
         target = pick(targets, rng, changed(study, moment)) if moment.kind == self.name else None
         return Query(self.name, target, moment) if target is not None else None

@@ -1,4 +1,4 @@
-"""Which of two events comes first, and how much earlier?"""
+"""Questions for the earlier of two events, and the time between them."""
 
 from collections.abc import Iterator, Sequence
 from itertools import combinations
@@ -16,21 +16,21 @@ from sim2reason.questions.words import Words
 
 TIME = "time_to_event"
 FIRST, AGAIN = "first ", " for the first time"
-PAIRS = 4  # that one draw looks at
-PROPORTION = 1e-6  # relative: what is hardly out of proportion
-OTHERS = 3  # further events that one draw looks at
+PAIRS = 4  # pairs examined in one draw
+PROPORTION = 1e-6  # relative: a smaller difference of speed ratios is rounding
+OTHERS = 3  # further events examined in one draw
 
 
 @kind
 class WhichFirstKind(WhichKind):
-    """Which of two events comes first, and how much earlier?"""
+    """The kind that asks which of two events comes first, and how much earlier."""
 
     name = "which_first"
     share = 0.12
     is_least = True
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """Draw an event of the motion, and the same event of another subject or another event."""
+        """Return a query for an event of the motion and another event, or that of another subject; None without one."""
         del targets
 
         def wanted(moment: Happening) -> bool:
@@ -114,7 +114,7 @@ class WhichFirstKind(WhichKind):
         yield from (self.oriented(_query(*pair), study) for pair in combinations(named, 2))
 
     def _deed_of(self, query: WhichQuery, words: Words) -> str:
-        """Return the infinitive for what both subjects do; empty if they do different things."""
+        """Return the infinitive for the action of both subjects; empty if their actions differ."""
         deeds = {_deed(clause) for each in query.both if (clause := _clause(each.moment, words)) is not None}
         return deeds.pop() if len(deeds) == 1 else ""
 

@@ -1,4 +1,4 @@
-"""Which of two quantities is greater, and by what factor?"""
+"""Questions for the greater of two quantities, and their ratio."""
 
 import re
 from collections.abc import Iterator
@@ -21,21 +21,21 @@ DISTANCE = "distance between {} and its starting point"
 INNER = ("state", "event", "start")
 HAS = {"speed": "is faster", DISTANCE: "is farther from its starting point"}
 """Comparative phrases for the subject with the greater value of a quantity, where English has one."""
-LEAST = 1.1  # times: who is less far ahead is hardly ahead
-GREATEST = 30.0  # times: nobody would ask by what factor the greater one is greater than that
+LEAST = 1.1  # ratio: smaller ones are not worth asking for
+GREATEST = 30.0  # ratio: larger ones are not worth asking for
 MAGNITUDE = "magnitude of the "
 
 
 @kind
 class WhichGreaterKind(WhichKind):
-    """Which of two quantities is greater, and by what factor?"""
+    """The kind that asks which of two quantities is greater, and by what factor."""
 
     name = "which_greater"
     share = 0.06
     is_least = False
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """Draw a quantity of one subject, and the same of another subject at the same moment."""
+        """Return a query for a quantity of two subjects at one moment; None if there is none."""
         offered = {target: targets[target] for group in _alike(targets) for target in group}
         shares = np.array([KINDS[name].share for name in INNER])
         order: list[int] = rng.choice(len(INNER), len(INNER), replace=False, p=shares / shares.sum()).tolist()
@@ -74,7 +74,7 @@ class WhichGreaterKind(WhichKind):
         return Measured("ratio", "", least=LEAST)
 
     def names(self, query: WhichQuery, words: Words) -> tuple[str, str] | None:
-        """Return the subjects if the quantity is a property of each, else both noun phrases."""
+        """Return the names of both subjects if the quantity is a property of each, else both noun phrases; or None."""
         nouns = _nouns(query, words)
         if nouns is None:
             return None
@@ -84,7 +84,7 @@ class WhichGreaterKind(WhichKind):
         return first[0], second[0]
 
     def _property(self, query: WhichQuery, words: Words) -> tuple[str, str] | None:
-        """Return the common property and the words after it; None if options use noun phrases."""
+        """Return the common property and the words after it; None if the options use noun phrases."""
         names, nouns = self.names(query, words), _nouns(query, words)
         if names is None or nouns is None or names[0] == nouns[0].phrase:
             return None
@@ -161,7 +161,7 @@ def _is_of_moment(noun: Noun) -> bool:
 
 
 def _alike(offered: Targets) -> Iterator[list[Target]]:
-    """Yield groups of targets: one quantity of several subjects."""
+    """Yield groups of targets that share one quantity."""
     sizes = [target for target, noun in offered.items() if target.sense is None and _is_of_moment(noun)]
     for name in dict.fromkeys(target.quantity for target in sizes):
         group = [target for target in sizes if target.quantity == name]
@@ -176,7 +176,7 @@ def _nouns(query: WhichQuery, words: Words) -> tuple[Noun, Noun] | None:
 
 
 def _parted(query: Query, noun: Noun, words: Words) -> tuple[str, str, str] | None:
-    """Split a phrase into subject, property and rest: *block A*, *speed*, *relative to the ground*; or return None.
+    """Return a phrase's subject, property and rest: *block A*, *speed*, *relative to the ground*; None if it has none.
 
     The name must not hold an *and*, which would be misunderstood between two names.
     """
@@ -196,12 +196,12 @@ def _is_named(target: Target, noun: Noun, text: str, words: Words) -> bool:
 
 
 def _tail(first: str, second: str) -> str | None:
-    """Return the words after a property of both, such as *relative to the ground*; None if they differ."""
+    """Return the words after the property of both phrases, such as *relative to the ground*; None if they differ."""
     return first or second if first == second or not (first and second) else None
 
 
 def _of_two(first: str, second: str, has: str, when: str) -> tuple[str, ...]:
-    """Return the forms of a question for a property of two subjects."""
+    """Return the sentences for a property of two subjects."""
     return (
         f"which of {first} and {second} {has}{when}, and by what factor?",
         f"which {has}{when}, {first} or {second}, and by what factor?",
@@ -217,7 +217,7 @@ def _has(named: str, tail: str) -> str:
 
 
 def _of_nouns(first: str, second: str, when: str) -> tuple[str, ...]:
-    """Return the forms of a question for two quantities."""
+    """Return the sentences for two quantities."""
     return (
         f"which is greater{when}, {first} or {second}, and by what factor?",
         f"which is the greater{when}, {first} or {second}, and by what factor is it greater?",

@@ -1,4 +1,4 @@
-"""Moments of a motion: a time, the start, or the first time that something happens."""
+"""Moments: the start, a stated time, or the first occurrence of an event."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
@@ -16,16 +16,16 @@ from sim2reason.simulation.trace import Trace
 
 
 class Moment(ABC):
-    """A point of a motion; a subclass is a frozen dataclass. All that the library knows of it stands on its class.
+    """The base class of moments; subclasses are frozen dataclasses.
 
     Class data:
-        kind: the kind of question that asks for quantities at it.
-        label: what items record as `asked.event`; None for a time that is stated.
-        drawn_by_recipes: whether recipes ask about it; if not, only people do.
-        event: whether it is an event of the engines, which both must see; else its channels must be certified.
-        own: whether it is of its own subjects that quantities are asked at it first, as at a collision.
-        pronoun: what may stand for its `subject` in a sentence that has named it.
-        part: whether that subject may be the centre of a body, by whose name alone it is known, too.
+        kind: the kind of question that asks for quantities at the moment.
+        label: the value of `asked.event` in items; None for a stated time.
+        drawn_by_recipes: whether recipes ask about the moment; if not, only people do.
+        event: whether both engines must record the moment as an event; if not, its channels must be certified.
+        own: whether questions prefer quantities of the moment's own subjects, as at a collision.
+        pronoun: the pronoun for the `subject` in a sentence that has named it.
+        part: whether the subject may be the centre of a body, which the body's name also denotes.
     """
 
     kind: ClassVar[str]
@@ -38,37 +38,37 @@ class Moment(ABC):
 
     @property
     def subjects(self) -> tuple[str, ...]:
-        """The names of what it speaks of, bodies, lines or pairs; none by default."""
+        """Return the names of the bodies, lines or pairs that the moment refers to; none by default."""
         return ()
 
     def possible(self, mechanism: Mechanism) -> bool:
-        """Tell whether a mechanism has what it speaks of, as an arm that is held does not swing; by default so."""
+        """Return whether a mechanism has the subjects of the moment, free to move; True by default."""
         del mechanism
         return True
 
     @property
     def channels(self) -> tuple[Channel, ...]:
-        """Return what both engines must agree on for it to be certain; nothing by default."""
+        """Return the channels that must be certified for the moment; none by default."""
         return ()
 
     @property
     def stated(self) -> tuple[tuple[float, str], ...]:
-        """The numbers that a question about it says, each with its unit; none by default."""
+        """Return the numbers that a question about the moment states, each with its unit; none by default."""
         return ()
 
     def having(self, numbers: Sequence[float]) -> Self:
-        """Return the same moment with other numbers in place of those that are `stated`; by default there are none."""
+        """Return the same moment with other `stated` numbers; by default unchanged."""
         del numbers
         return self
 
     def across(self, trace: Trace) -> Sequence[float] | None:
-        """What is `stated`, on the other side of where it starts; None, as by default, if there is one side alone."""
+        """Return the `stated` numbers mirrored at the initial value; None, as by default, if there is one side only."""
         del trace
         return None
 
     @property
     def tells(self) -> tuple[Channel, ...]:
-        """Return what its own words say, which therefore can't be asked; nothing by default."""
+        """Return the channels that the words of the moment reveal, so that none is asked for; empty by default."""
         return ()
 
     @property
@@ -80,61 +80,61 @@ class Moment(ABC):
 
     @property
     def comes_round(self) -> bool:
-        """Return whether it never comes where one of its bodies flies off for ever; by default it may."""
+        """Return whether the moment never occurs if one of its bodies escapes to infinity; False by default."""
         return False
 
     @classmethod
     @abstractmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Return those of a motion that are worth asking about."""
+        """Return the moments of this class in a motion that are worth asking about."""
 
     @classmethod
     @abstractmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
-        """Return all that a sentence could speak of, by the numbers and names that stand in it."""
+        """Yield all moments of this class that a sentence may name, from its numbers and names."""
 
     @abstractmethod
     def time(self, trace: Trace) -> float | None:
-        """Return when it comes, in seconds; None if it does not come while the motion is described."""
+        """Return the time of the moment, s; None if it does not occur in the simulated motion."""
 
     @abstractmethod
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """Return how a question speaks of it, *when …*."""
+        """Return the phrases for the moment, such as *when A stops*."""
 
     def stretches(self, words: Words) -> tuple[str, ...]:
-        """Return how a question speaks of the stretch from the start to it; empty, as by default, if it does not."""
+        """Return the phrases for the interval from the start to the moment; none by default."""
         del words
         return ()
 
     def first(self) -> "Moment":
-        """The same moment, told without what comes after it, where a question calls it the first; by default this."""
+        """Return the same moment independent of later motion, for words such as *first*; by default unchanged."""
         return self
 
     def in_symbols(self, trace: Trace) -> "Moment":
-        """Return the same moment of a motion, as a text must tell it whose symbols leave more open; by default this."""
+        """Return the moment of a motion in a form that is unique even without numbers; by default unchanged."""
         del trace
         return self
 
     def subject(self, words: Words) -> str:
-        """Return how a question calls the one that it is about; by default it is about nothing."""
+        """Return the phrase for the moment's subject, which a pronoun may replace; empty by default."""
         del words
         return ""
 
     @property
     def sided(self) -> bool | None:
-        """Return whether it is just after (True) or just before (False) what happens; None if its words say neither."""
+        """Return True for just after an event, False for just before, None if the words name no side."""
         return None
 
     def side(self, time: float) -> float:
-        """Return the instant at which quantities are read: the moment itself, or just before it."""
+        """Return the time, s, at which quantities are evaluated: the moment itself, or just before it."""
         return float(np.nextafter(time, 0.0)) if self.sided is False else time  # events belong to what follows them
 
 
 @dataclass(frozen=True, slots=True)
 class Clause:
-    """Something that happens, as a question and as a statement: *does A first stop*, *A first stops*.
+    """The parts of a clause, as a question and as a statement: *does A first stop*, *A first stops*.
 
-    What takes time says so, too: *to move 0.50 m*.
+    `takes` is an infinitive for events that take time: *to move 0.50 m*.
     """
 
     subject: str
@@ -145,23 +145,23 @@ class Clause:
 
     @property
     def question(self) -> str:
-        """After *how long after the start …*."""
+        """Return the clause in question order, for use after *how long after the start …*."""
         return f"{self.auxiliary} {self.subject} {self.asked}"
 
     @property
     def statement(self) -> str:
-        """After *until …*."""
+        """Return the clause as a statement, for use after *until …*."""
         return f"{self.subject} {self.told}"
 
 
 class Happening(Moment):
-    """The first time that something happens, so that it can also be asked when that is."""
+    """The base class of moments whose time can itself be asked for."""
 
     kind = "event"
 
     @abstractmethod
     def clause(self, words: Words) -> Clause | None:
-        """Return what happens; None if when it comes is not to be asked."""
+        """Return the clause of the event; None if no question may ask for its time."""
 
     def stretches(self, words: Words) -> tuple[str, ...]:
         """Return the phrases for the stretch, such as *from release until A first stops*."""
@@ -175,13 +175,13 @@ class Happening(Moment):
         )
 
     def is_plain(self, study: Study) -> bool:
-        """Return whether no physics is needed to tell when it comes, so that this is not asked; by default it is."""
+        """Return whether the time follows without physics, so that it is not asked for; False by default."""
         del study
         return False
 
 
 def check_facts(name: str, member: object) -> None:
-    """Refuse a moment that leaves a fact of its class open, with ValueError."""
+    """Raise ValueError if a moment lacks a declaration."""
     missing = [fact for fact in ("kind", "label") if not hasattr(member, fact)]
     if missing:
         raise ValueError(f"questions.moments: {name!r} declares no {', '.join(missing)}")

@@ -1,4 +1,4 @@
-"""Stated angles of what swings, turns or orbits."""
+"""Moments given by angles of lines, of bodies on axles and of orbits."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -22,13 +22,13 @@ from sim2reason.simulation.quantities.subjects.rods import SwingingLines
 from sim2reason.simulation.trace import Trace
 
 STRAIGHT_UP = 180.0  # degrees
-FEWEST = 10.0  # degrees of a swing, and from its ends
+FEWEST = 10.0  # degrees: least amplitude of a swing, and least distance from its ends
 
 
 @MOMENTS.register("deflected")
 @dataclass(frozen=True, slots=True)
 class Deflected(Threshold):
-    """The first time that a line that swings makes a stated angle with the downward vertical."""
+    """The first time that a swinging line makes a stated angle with the downward vertical."""
 
     label = "deflection"
     of = SwingingLines()
@@ -38,7 +38,7 @@ class Deflected(Threshold):
 
     @classmethod
     def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
-        """An angle between the least and the greatest, in fives of degrees, or in tens if it has three digits."""
+        """Return a random angle within the swing, a multiple of 5° (10° from 100° on); None if there is none."""
         angles = Deflection.evaluate(trace.scan, name)
         low, high = float(np.nanmin(angles)), float(np.nanmax(angles))
         if high - low < FEWEST:
@@ -48,22 +48,22 @@ class Deflected(Threshold):
 
     @property
     def tells(self) -> tuple[Channel, ...]:
-        """The angle, and so by how much the line has turned."""
+        """Return the channels of the line's angle and of its rotation, which the angle determines."""
         return (*self.channels, Channel(self.name, "angle turned"))
 
     def excess(self, state: State) -> Array:
-        """Return how far it is beyond the angle, seen from where it starts."""
+        """Return by how many degrees the line is beyond the angle, positive on the far side of the start, (n,)."""
         beyond = Deflection.evaluate(state, self.name) - self.value
         return beyond if deflection_at_start(state, self.name) < self.value else -beyond
 
     def across(self, trace: Trace) -> Sequence[float] | None:
-        """As much larger than the angle at the start as it is smaller than that, or the other way round."""
+        """Return the angle mirrored at the initial one, in degrees."""
         start = deflection_at_start(trace.state, self.name)
         other = start * start / self.value
         return (other,) if 0.0 < other < STRAIGHT_UP else None
 
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: when the string first makes an angle of 20° with the downward vertical."""
+        """Return phrases such as *when the string first makes an angle of 20° with the downward vertical*."""
         line, angle = self.subject(words), f"an angle of {words.say(self.value, self.unit)} with the downward vertical"
         return (
             f"when {line} first makes {angle}",
@@ -84,7 +84,7 @@ PARTS = (90, 180, ALL_ROUND)  # degrees
 @MOMENTS.register("orbited")
 @dataclass(frozen=True, slots=True)
 class Orbited(Passage):
-    """When the line from a fixed body to one that it attracts has turned through 90°, 180° or all the way round."""
+    """The moment when the line from a fixed body to one that it attracts has turned through 90°, 180° or 360°."""
 
     label = "orbit"
     of = Pairs()
@@ -96,7 +96,7 @@ class Orbited(Passage):
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Pairs of which one attracts the other and is fixed."""
+        """Return the pairs of a fixed body and one that it attracts, with their phrases."""
         mechanism = words.mechanism
         drawn = {frozenset((pull.a, pull.b)) for pull in mechanism.attractions}
         found: dict[str, str] = {}
@@ -108,13 +108,13 @@ class Orbited(Passage):
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Return every part of each orbit."""
+        """Return all such fractions of each orbit that occur."""
         del rng
         return [moment for name in cls.candidates(words) for part in PARTS if (moment := cls(name, part)).comes(study)]
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
-        """Yield every part of an orbit of every body that is named."""
+        """Yield every fraction of an orbit of every body that a sentence names."""
         del trace
         for name in cls.candidates(words):
             if cls(name).ends(words)[1] in text:
@@ -122,17 +122,17 @@ class Orbited(Passage):
 
     @property
     def comes_round(self) -> bool:
-        """A hyperbola turns less than all the way round."""
+        """Return whether the angle is a full turn, which a body on a hyperbola never completes."""
         return self.degrees == ALL_ROUND
 
     def ends(self, words: Words) -> tuple[str, str]:
-        """Return what is fixed, and what goes round."""
+        """Return the phrases for the fixed body and the orbiting body."""
         a, b = members(self.name)
         center, planet = (b, a) if center_path(words.mechanism, a).ways else (a, b)
         return words.mentions[center], words.mentions[planet]
 
     def _arm(self, state: State) -> tuple[Array, Array, Array]:
-        """From the one to the other: now, (n, 3), and at the start, with its rate then."""
+        """Return the line between the bodies, m, (n, 3), its initial value, m, and the initial rate of change, m/s."""
         a, b = members(self.name)
         now = state.vector(state.frames.center(b).place) - state.vector(state.frames.center(a).place)
         began = np.subtract(state.began.center(b).place, state.began.center(a).place)
@@ -143,7 +143,7 @@ class Orbited(Passage):
         return now, began, rates[b] - rates[a]
 
     def excess(self, state: State) -> Array:
-        """What changes its sign at the angle, and is below zero before; of a whole orbit only in its second half."""
+        """Return a function, (n,), that rises through zero at the angle."""
         now, began, rate = self._arm(state)
         spin = np.cross(began, rate)
         sine = np.cross(began, now) @ spin
@@ -175,7 +175,7 @@ MOST = 330.0  # degrees
 @MOMENTS.register("turned_through")
 @dataclass(frozen=True, slots=True)
 class TurnedThrough(Threshold):
-    """The first time that a body on an axle is a stated angle from its starting position."""
+    """The first time that a body on an axle has turned through a stated angle from its initial position."""
 
     label = "turned"
     of = TurningBodies()
@@ -185,28 +185,28 @@ class TurnedThrough(Threshold):
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Bodies on one axle that do not roll."""
+        """Return the bodies on one axle that do not roll, with their phrases."""
         turning = AngleTurned().subjects(words.mechanism)
         return {name: said for name, said in words.called(cls.of).items() if name in turning}
 
     @classmethod
     def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
-        """Return a part of how far it turns, in fives of degrees, or in tens if it has three digits."""
+        """Return a random part of the greatest angle, a multiple of 5° (10° from 100° on); None if there is none."""
         reached = float(np.abs(AngleTurned.evaluate(trace.scan, name)).max())
         angle = spoken(5.0 * max(1, round(rng.uniform(0.2, 0.9) * min(reached, MOST) / 5.0)))
         return angle if angle < reached else None
 
     @property
     def tells(self) -> tuple[Channel, ...]:
-        """The angle, and so that with the vertical."""
+        """Return the channels of the angle turned and of the angle with the vertical."""
         return (*self.channels, Channel(self.name, "deflection"))
 
     def excess(self, state: State) -> Array:
-        """Return how much farther it is turned than the angle, either way."""
+        """Return by how many degrees the body has turned beyond the angle, in either sense, (n,)."""
         return np.abs(AngleTurned.evaluate(state, self.name)) - self.value
 
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: when the rod has turned through 30° from its starting position."""
+        """Return phrases such as *when the rod has turned through 30° from its starting position*."""
         turned = f"{self.subject(words)} has first turned through {self.said(words)} from its starting position"
         return when_phrases(turned)
 

@@ -1,4 +1,4 @@
-"""Impacts on the ground, and what follows them."""
+"""Moments of impacts on the ground or walls, and of the bounces that follow."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -28,7 +28,7 @@ GROUND, WALL, WALLS = "the ground", "the wall", "a wall"
 @MOMENTS.register("bounced")
 @dataclass(frozen=True, slots=True)
 class Bounced(VelocityJump):
-    """The first impact of a body on what is fixed, or a later one, just before or just after it."""
+    """The first or a later impact of a body on a fixed obstacle, just before or just after it."""
 
     label = "bounce"
     kinds = ("collision",)
@@ -38,12 +38,12 @@ class Bounced(VelocityJump):
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Bodies that meet the ground alone, or walls alone."""
+        """Return the bodies that can hit only the ground, or only walls, with their phrases."""
         called = words.called(cls.of).items()
         return {name: said for name, said in called if struck(words, name)}
 
     def is_this(self, event: Event, trace: Trace) -> bool:
-        """Return whether the body alone is struck."""
+        """Return whether an event is a collision of the body with a fixed obstacle."""
         del trace
         return event.kind == "collision" and event.subjects == (self.name,)
 
@@ -54,7 +54,7 @@ class Bounced(VelocityJump):
 
 
 def struck(words: Words, name: str) -> str:
-    """Return what a body bounces from: the ground, the wall, a wall; empty for nothing, or for several kinds."""
+    """Return the phrase for the obstacle, such as *the ground* or *a wall*; empty for none or for several types."""
     met = [meeting for meeting in words.mechanism.meetings if meeting.names == (name,)]
     if met and all(_is_upright(meeting) for meeting in met):
         return GROUND
@@ -64,14 +64,14 @@ def struck(words: Words, name: str) -> str:
 
 
 def _is_upright(meeting: Meeting) -> bool:
-    """Return whether a body falls on what it meets."""
+    """Return whether a body falls onto the obstacle."""
     return meeting.normal is not None and meeting.normal[2] > 1.0 - EVEN
 
 
 @MOMENTS.register("landed")
 @dataclass(frozen=True, slots=True)
 class Landed(Occurrence):
-    """The instant at which a body that flies reaches the ground."""
+    """The instant at which a flying body reaches the ground."""
 
     label = "landing"
     own = True
@@ -82,7 +82,7 @@ class Landed(Occurrence):
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Return what flies, and can't go below the ground."""
+        """Return the bodies that fly and cannot go below the ground, with their phrases."""
         found: dict[str, str] = {}
         for name, said in words.called(cls.of).items():
             body = words.mechanism.body[name]
@@ -93,16 +93,16 @@ class Landed(Occurrence):
 
     @classmethod
     def seen_as(cls, name: str, words: Words) -> set[str]:
-        """Return its coordinates."""
+        """Return the names of the body's coordinates."""
         return {c.name for c in words.mechanism.body[name].coordinates}
 
     @property
     def sided(self) -> bool | None:
-        """Just before it."""
+        """Return False, for just before the impact."""
         return False
 
     def is_this(self, event: Event, trace: Trace) -> bool:
-        """Return whether it is the end of the way down."""
+        """Return whether an event is the end of a coordinate at the ground."""
         return event.kind == "limit" and any(
             c.name == event.subjects[0] for c in trace.mechanism.body[self.name].coordinates
         )
@@ -123,7 +123,7 @@ HIGHEST = "the highest point after its {count} bounce"
 @MOMENTS.register("top_after_bounce")
 @dataclass(frozen=True, slots=True)
 class TopAfterBounce(Occurrence):
-    """The highest point that a body reaches after its first bounce from the ground, or a later one."""
+    """The highest point that a body reaches after its first or a later bounce from the ground."""
 
     label = "highest point after a bounce"
     event = False
@@ -146,7 +146,7 @@ class TopAfterBounce(Occurrence):
         return (Channel(self.name, Velocity.name),)
 
     def time(self, trace: Trace) -> float | None:
-        """Return when the body first stops rising after that bounce and before the next one, s; None if it does not."""
+        """Return the time, s, at which the body first stops rising between that bounce and the next one; else None."""
         bounce = Bounced(self.name, self.number).time(trace)
         following = Bounced(self.name, self.number + 1).time(trace)
         if bounce is None:
@@ -169,14 +169,14 @@ class TopAfterBounce(Occurrence):
         return None
 
 
-LOW, HIGH = 1.1, 1.6  # times the height of the top after the first bounce
-MOST = 200  # bounces that are looked at
+LOW, HIGH = 1.1, 1.6  # of the height of the top after the first bounce: range of random heights
+MOST = 200  # greatest number of bounces examined
 
 
 @MOMENTS.register("stayed_below")
 @dataclass(frozen=True, slots=True)
 class StayedBelow(DistanceThreshold):
-    """The first bounce after which a body does not rise as high above the ground as a stated height."""
+    """The first bounce after which a body no longer rises to a stated height above the ground."""
 
     label = "bounce to less than a height"
     event = True
@@ -185,14 +185,14 @@ class StayedBelow(DistanceThreshold):
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Return one for each body, with a height that it no longer reaches after one of its bounces."""
+        """Return a moment for each body, with a random height that it no longer reaches after one of its bounces."""
         drawn = ((name, cls.drawn(name, study.trace, rng)) for name in cls.candidates(words))
         moments = [cls(name, height) for name, height in drawn if height is not None]
         return [moment for moment in moments if study.time(moment) is not None]
 
     @classmethod
     def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
-        """Return more than the height of the top after the first bounce; None if there is no such top."""
+        """Return a random height, m, above the top after the first bounce; None if there is no such top."""
         top = TopAfterBounce(name).time(trace)
         if not top:
             return None
@@ -210,7 +210,7 @@ class StayedBelow(DistanceThreshold):
         return (Channel(self.name, Height.name),)
 
     def time(self, trace: Trace) -> float | None:
-        """Return when the body bounces for the first time without rising to the height afterwards, s."""
+        """Return the time, s, of the first bounce after which the body stays below the height; None without one."""
         for number in range(1, MOST):
             top = TopAfterBounce(self.name, number).time(trace)
             if top is None:

@@ -1,4 +1,4 @@
-"""The instant at which an engine burns out."""
+"""The moment at which an engine burns out."""
 
 from dataclasses import dataclass
 
@@ -33,10 +33,10 @@ class BurnedOut(Occurrence):
 
     @property
     def tells(self) -> tuple[Channel, ...]:
-        """The mass that is left, which the text gives."""
+        """Return the channel of the body's mass, which the text gives."""
         return (Channel(self.name, "mass"),)
 
     def is_plain(self, study: Study) -> bool:
-        """Fuel and rate give the time."""
+        """Return True, as fuel mass and burn rate give the time."""
         del study
         return True

@@ -1,4 +1,4 @@
-"""Collisions of two bodies."""
+"""Moments of collisions of two bodies."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -18,13 +18,13 @@ from sim2reason.simulation.quantities.kinematics import Velocity
 from sim2reason.simulation.quantities.subjects.pairs import AND, Pairs, members
 from sim2reason.simulation.trace import Event, Trace
 
-SAME = 1e-9  # of a speed: what has changed by less has not
+SAME = 1e-9  # relative: least change of a relative velocity
 
 
 @MOMENTS.register("collided")
 @dataclass(frozen=True, slots=True)
 class Collided(VelocityJump):
-    """The first collision of two bodies, or a later one, just before or just after it."""
+    """The first or a later collision of two bodies, just before or just after it."""
 
     label = "collision"
     kinds = ("collision",)
@@ -35,19 +35,19 @@ class Collided(VelocityJump):
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Return those that may meet."""
+        """Return the pairs of bodies that can collide, with their phrases."""
         met = {AND.join(meeting.names) for meeting in words.mechanism.meetings}
         return {name: said for name, said in words.called(cls.of).items() if name in met}
 
     @classmethod
     def seen_as(cls, name: str, words: Words) -> set[str]:
-        """Return each of the two."""
+        """Return the names of both bodies."""
         del words
         return set(members(name))
 
     @property
     def subjects(self) -> tuple[str, ...]:
-        """The two bodies."""
+        """Return the names of both bodies."""
         return members(self.name)
 
     def count(self, words: Words) -> int | None:
@@ -55,12 +55,12 @@ class Collided(VelocityJump):
         return None if self.number == 1 and meets_once(words.mechanism) else self.number
 
     def is_this(self, event: Event, trace: Trace) -> bool:
-        """Return whether the two collide."""
+        """Return whether an event is a collision of the two bodies."""
         del trace
         return event.kind == "collision" and set(event.subjects) == set(self.subjects)
 
     def is_plain(self, study: Study) -> bool:
-        """Whether the two come together in free flight, so that no collision, force or field has a part in it."""
+        """Return whether the bodies approach in uniform relative motion, so that their collision time is trivial."""
         time = study.time(self)
         if time is None:
             return False
@@ -70,14 +70,14 @@ class Collided(VelocityJump):
         return bool(np.abs(apart - apart[0]).max() <= SAME * np.abs(apart).max())
 
 
-STILL = 1e-9  # of the largest speed: slower, nothing closes
-FEWEST = 2  # collisions, for one to be the last
+STILL = 1e-9  # of the greatest speed: lower closing speeds are rounding
+FEWEST = 2  # least number of collisions for which *the last one* makes sense
 
 
 @MOMENTS.register("last_collision")
 @dataclass(frozen=True, slots=True)
 class LastCollision(Moment):
-    """Just after the last collision, where all then move freely and never meet again."""
+    """The moment just after the last collision, from which all bodies move freely and never meet again."""
 
     kind = "event"
     label = "last collision"
@@ -85,29 +85,29 @@ class LastCollision(Moment):
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """One, if there are several collisions."""
+        """Return the moment if there are several collisions and a last one."""
         del words, rng
         several = sum(event.kind == "collision" for event in study.trace.events) >= FEWEST
         return [moment] if several and study.time(moment := cls()) is not None else []
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
-        """It has no number or name of its own."""
+        """Yield the only moment of this class."""
         del text, trace, words
         yield cls()
 
     @property
     def sided(self) -> bool | None:
-        """Just after it."""
+        """Return True, for just after the collision."""
         return True
 
     def time(self, trace: Trace) -> float | None:
-        """Return when the last of those that were seen happens, if none can follow."""
+        """Return the time of the last recorded collision, s; None if another may follow."""
         times = [event.time for event in trace.events if event.kind == "collision"]
         return times[-1] if times and not trace.cut and _is_over(trace) else None
 
     def in_symbols(self, trace: Trace) -> Moment:
-        """Return that of those who meet: where several may, symbols leave open who does so last."""
+        """Return the last collision as a numbered one of its bodies, as without numbers several may be last."""
         if len({meeting.names for meeting in trace.mechanism.meetings}) < FEWEST:
             return self
         met = [frozenset(event.subjects) for event in trace.events if event.kind == "collision"]
@@ -126,7 +126,7 @@ class LastCollision(Moment):
 
 
 def _is_over(trace: Trace) -> bool:
-    """Return whether at the end of what was recorded everything moves freely, and no two bodies will meet."""
+    """Return whether all bodies move freely at the end of the motion, and no two will collide."""
     end = trace.at(float(trace.state.times[-1]))
     fastest = float(np.abs(end.v).max(initial=0.0))
     if not moves_freely(trace.mechanism) or float(np.abs(end.a).max(initial=0.0)) > 0.0:
@@ -135,7 +135,7 @@ def _is_over(trace: Trace) -> bool:
 
 
 def _closes(end: State, meeting: Meeting, still: float) -> bool:
-    """Whether two bodies in uniform motion will touch: flat faces as their gap shrinks, discs if they don't miss."""
+    """Return whether two bodies in uniform motion will collide."""
     b = end.vector(end.frames.center(meeting.b).place)[0]
     apart, parting = b, Velocity.evaluate(end, meeting.b)[0]
     if meeting.a is not None:

@@ -1,4 +1,4 @@
-"""Changes of a contact: slipping begins or ends, a body leaves a surface, a prism lands on an edge."""
+"""Moments at which a contact changes: slipping begins or ends, a body leaves a surface, an edge lands."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -20,21 +20,21 @@ from sim2reason.simulation.trace import Event, Trace
 @MOMENTS.register("began_to_slip")
 @dataclass(frozen=True, slots=True)
 class BeganToSlip(SlipChange):
-    """The first time that a body which stuck to its face, or rolled on it, begins to slip."""
+    """The first time that a body that stuck to its face, or rolled on it, begins to slip."""
 
     label = "slip"
     kinds = ("slip",)
     verb = Verb("begins to slip", "begin to slip")
 
     def is_this(self, event: Event, trace: Trace) -> bool:
-        """Return whether it stuck before."""
+        """Return whether an event is such a change of a body that did not slip before."""
         return event.kind == "slip" and event.subjects[0] == self.name and not self.slipped(event, trace)
 
 
 @MOMENTS.register("edge_landed")
 @dataclass(frozen=True, slots=True)
 class EdgeLanded(VelocityJump):
-    """The first landing of the next edge of a body that tumbles over its edges, or a later one, before or after it."""
+    """The landing of the next edge of a body that tumbles over its edges, just before or just after it."""
 
     label = "landing of an edge"
     drawn_by_recipes = False
@@ -65,7 +65,7 @@ def _edges(mechanism: Mechanism, name: str) -> set[str]:
 @MOMENTS.register("left_face")
 @dataclass(frozen=True, slots=True)
 class LeftFace(Occurrence):
-    """The instant at which a body loses contact with its face; the description ends there."""
+    """The instant at which a body loses contact with its face, which ends the simulated motion."""
 
     label = "lift-off"
     own = True
@@ -83,7 +83,7 @@ class LeftFace(Occurrence):
 @MOMENTS.register("lifted_off")
 @dataclass(frozen=True, slots=True)
 class LiftedOff(Occurrence):
-    """The instant at which what burns fuel leaves the ground, if its thrust is less than its weight at first."""
+    """The instant at which a rocket leaves the ground, if its thrust is less than its weight at first."""
 
     label = "lift-off of a rocket"
     own = True
@@ -125,21 +125,21 @@ VERBS: Mapping[bool, Verb] = {
 @MOMENTS.register("stopped_slipping")
 @dataclass(frozen=True, slots=True)
 class StoppedSlipping(SlipChange):
-    """The first time that a body begins to roll without slipping, or stops sliding on a body that moves."""
+    """The first time that a body begins to roll without slipping, or stops sliding on a moving carrier."""
 
     label = "stick"
     kinds = ("stick",)
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Return what rolls, and what lies on something that moves; on what is fixed it would just come to rest."""
+        """Return the rolling bodies and those on moving carriers, with their phrases."""
         mechanism = words.mechanism
         called = words.called(cls.of).items()
         return {n: said for n, said in called if rolls(words, n) or mechanism.body[n].parent is not None}
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Leave out what turned back before: it stopped for an instant then, and a reader may take that instant."""
+        """Return the moments worth asking about: none if the body reversed its slip before, as that is ambiguous."""
         found = super(StoppedSlipping, cls).found(study, words, rng)
         return [moment for moment in found if not moment.turned_back(study.trace)]
 

@@ -1,4 +1,4 @@
-"""Stated distances, and the shortest and the longest distance."""
+"""Moments given by distances, among them the shortest and longest distance of two bodies."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -31,16 +31,16 @@ SELDOM = 0.05
 @MOMENTS.register("away")
 @dataclass(frozen=True, slots=True)
 class Away(DistanceThreshold):
-    """The first time that a body that moves freely in a plane is a stated distance from its starting point."""
+    """The first time that a body moving freely in a plane is a stated distance from its starting point."""
 
     label = "away"
     verb = Verb("is", "", "is")
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Return a random distance; none for a projectile, whose range and height are asked for instead.
+        """Return a moment with a random distance; none for a projectile, whose range and height are asked for instead.
 
-        Seldom one in fields that turn the velocity, where how far that has turned tells more.
+        In fields that turn the velocity the moment is rare, as the angle of the velocity is more instructive.
         """
         mechanism = study.mechanism
         thrown = only_falls(mechanism) and mechanism.gravity != ZERO
@@ -51,7 +51,7 @@ class Away(DistanceThreshold):
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Bodies whose text gives their plane axes."""
+        """Return the bodies with axes x and y in the text, with their phrases."""
         mechanism = words.mechanism
         called = words.called(cls.of).items()
         return {n: s for n, s in called if _has_axes(words, n) and not center_path(mechanism, n).straight}
@@ -82,11 +82,11 @@ class Closest(Apsis):
     verb = Verb("reach a minimum distance from each other", "reach a minimum distance from each other", "do")
 
     def extent(self, state: State) -> Array:
-        """Their distance, with a minus sign."""
+        """Return the negative distance of the two bodies, m, (n,)."""
         return -DistanceBetween.evaluate(state, self.name)
 
     def excess(self, state: State) -> Array:
-        """Return how fast they part."""
+        """Return the rate of separation of the two bodies, (n,)."""
         return self.receding(state)
 
 
@@ -100,11 +100,11 @@ class Farthest(Apsis):
     verb = Verb("reach a maximum distance from each other", "reach a maximum distance from each other", "do")
 
     def extent(self, state: State) -> Array:
-        """Their distance."""
+        """Return the distance of the two bodies, m, (n,)."""
         return DistanceBetween.evaluate(state, self.name)
 
     def excess(self, state: State) -> Array:
-        """Return how fast they approach."""
+        """Return the rate of approach of the two bodies, (n,)."""
         return -self.receding(state)
 
 
@@ -114,10 +114,10 @@ ABOVE = {UP: "above", OPPOSITE[UP]: "below"}
 @MOMENTS.register("moved")
 @dataclass(frozen=True, slots=True)
 class Moved(DistanceThreshold):
-    """When a body has moved a stated distance along a straight line, without turning back.
+    """The moment when a body has moved a stated distance along a straight line.
 
-    What collides may have turned back in a collision: it is spoken of by its distance from where it started. Symbols do
-    not say either whether what may turn back does so before, nor on which side of its starting point it is then.
+    If the body may turn back, in a collision or in a text with symbols, the phrase states its distance from the
+    starting point instead; with symbols also its side.
     """
 
     towards: int = 0  # 1 or −1: on which side of its starting point it is, along the sense of its line; 0: on either
@@ -127,27 +127,27 @@ class Moved(DistanceThreshold):
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Bodies that move along one line and ride on nothing."""
+        """Return the bodies that move along one line and ride on no other body, with their phrases."""
         mechanism = words.mechanism
         called = words.called(cls.of).items()
         return {n: said for n, said in called if center_path(mechanism, n).straight and not rides(mechanism, n)}
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
-        """On either side where symbols leave that open."""
+        """Yield moments for all named subjects and distances, on either side of the start if the text has symbols."""
         for moment in super(Moved, cls).parsed(text, trace, words):  # slots make another class of this one
             sides = (1, -1) if words.symbolic and moment.sense(words.mechanism) is not None else ()
             yield from (moment, *(replace(moment, towards=side) for side in sides))
 
     def excess(self, state: State) -> Array:
-        """Return how much farther it is than the distance, on its side."""
+        """Return by how many metres the displacement exceeds the distance, on its side if one is given, (n,)."""
         sense = self.sense(state.mechanism) if self.towards else None
         if sense is None:
             return super(Moved, self).excess(state)
         return self.towards * (Displacement.evaluate(state, self.name) @ np.array(sense.vector)) - self.value
 
     def time(self, trace: Trace) -> float | None:
-        """Return when it is first so far away; if it has not turned back before, unless it may, or collides."""
+        """Return the time, s; None if the body reverses before, unless a side is given or the body may collide."""
         found = first_crossing(trace, self.excess)
         return None if found is not None and self._turns_back(trace, found) else found
 
@@ -162,7 +162,7 @@ class Moved(DistanceThreshold):
         return not allowed and _turns_back(trace, self.name, until)
 
     def in_symbols(self, trace: Trace) -> Self:
-        """On the side on which it is in a motion, if it may turn back."""
+        """Return the moment with the side of the start on which the body is, if it may turn back."""
         sense, time = self.sense(trace.mechanism), self.time(trace)
         if sense is None or time is None or not may_turn_back(trace.mechanism):
             return self
@@ -170,7 +170,7 @@ class Moved(DistanceThreshold):
         return replace(self, towards=1 if ahead else -1)
 
     def sense(self, mechanism: Mechanism) -> Sense | None:
-        """Return that of its line, if a side of it has a name."""
+        """Return the direction of the body's line, if one of its senses has a name; else None."""
         senses = Bodies().senses(mechanism, self.name)
         return next(
             (s for s in senses if len(senses) == 1 and (s.axis or s.positive.partition(" ")[0] in OPPOSITE)), None
@@ -184,11 +184,11 @@ class Moved(DistanceThreshold):
         )
 
     def _moved(self, words: Words) -> str:
-        """Return how it has gone: *risen* where it can only go up before it turns back, else *moved*."""
+        """Return the participle for the motion: *risen* for a body that goes straight up, else *moved*."""
         return "risen" if goes_straight_up(words.mechanism, self.name) else "moved"
 
     def _there(self, words: Words, said: str) -> str:
-        """Return where the body is: *0.50 m from its starting point*, *0.50 m to the left of its starting point*."""
+        """Return the position of the body: *0.50 m from its starting point*, *0.50 m above its starting point*."""
         sense, start = self.sense(words.mechanism) if self.towards else None, "its starting point"
         if sense is None:
             return f"{said} from {start}"
@@ -201,11 +201,11 @@ class Moved(DistanceThreshold):
         return f"{said} {way} {rest} from {start}" if rest else f"{said} {ABOVE[way]} {start}"
 
     def _may_return(self, words: Words) -> bool:
-        """Return whether the way that it has gone may be longer than the distance, as far as a text tells."""
+        """Return whether the distance travelled may exceed the stated one, as far as the text reveals."""
         return bool(self.towards) or _collides(words.mechanism, self.name) or (words.symbolic and words.turns_back)
 
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: after the block has moved 0.50 m, when the cart is first 0.50 m from its starting point."""
+        """Return phrases such as *after the block has moved 0.50 m*."""
         if self._may_return(words):
             there = f"{self.subject(words)} is {self._there(words, f'first {self.said(words)}')}"
             return when_phrases(there)
@@ -224,26 +224,26 @@ class Moved(DistanceThreshold):
 
 
 def _collides(mechanism: Mechanism, name: str) -> bool:
-    """Return whether a body may meet another one, or what is fixed."""
+    """Return whether a body can collide with another one or with a fixed obstacle."""
     return any(name in meeting.names for meeting in mechanism.meetings)
 
 
 def _turns_back(trace: Trace, name: str, until: float) -> bool:
-    """Return whether a body that moves along a line reverses before a time."""
+    """Return whether a body on a line reverses before a time, s."""
     way = np.array(center_path(trace.mechanism, name).ways[0])
     before = (Velocity.evaluate(trace.scan, name) @ way)[trace.scan.times <= until]
     speeds = np.append(before, Velocity.evaluate(trace.at(until), name) @ way)  # long motions have few samples
     return bool(speeds.min(initial=0.0) * speeds.max(initial=0.0) < -1e-9 * float(np.abs(speeds).max(initial=0.0)) ** 2)
 
 
-BACK = 1e-5  # of its greatest distance from there: what comes no nearer passes by
-SLOW = 1e-3  # of its greatest speed: what is slower there turns back at that point
+BACK = 1e-5  # of the greatest distance: largest distance from the starting point at a return
+SLOW = 1e-3  # of the greatest speed: a slower body turns back at the starting point
 
 
 @MOMENTS.register("returned")
 @dataclass(frozen=True, slots=True)
 class Returned(Passage):
-    """The first time that a body is back at its starting point."""
+    """The first time that a body returns to its starting point."""
 
     label = "return"
     drawn_by_recipes = False
@@ -253,18 +253,18 @@ class Returned(Passage):
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Return the phrases of the bodies that ride on no other body, so that the point is fixed in the room."""
+        """Return the bodies that ride on no other body, so that their starting points are fixed, with their phrases."""
         called = words.called(cls.of).items()
         return {
             name: cls.of.point(words.mechanism, name, said) for name, said in called if not rides(words.mechanism, name)
         }
 
     def excess(self, state: State) -> Array:
-        """Return r·v, half the rate of the squared distance from the start, in m²/s, (n,)."""
+        """Return r·v, half the rate of the squared distance from the start, m²/s, (n,)."""
         return np.einsum("ij,ij->i", Displacement.evaluate(state, self.name), Velocity.evaluate(state, self.name))
 
     def time(self, trace: Trace) -> float | None:
-        """Return when the distance is first least and zero, s; None if the body does not come back."""
+        """Return the time, s, at which the distance from the start is first zero again; None if it never is."""
         farthest = float(np.linalg.norm(Displacement.evaluate(trace.scan, self.name), axis=1).max())
         fastest = float(np.linalg.norm(Velocity.evaluate(trace.scan, self.name), axis=1).max())
         for time in crossings(trace, self.excess):
@@ -275,7 +275,7 @@ class Returned(Passage):
         return None
 
     def _turn(self, trace: Trace, near: float) -> float:
-        """Return the time, s, near another one at which the speed is least: it tells more exactly when that is."""
+        """Return the time, s, of least speed close to a given time, which is a more accurate time of a reversal."""
 
         def gains(state: State) -> Array:
             return np.einsum("ij,ij->i", Velocity.evaluate(state, self.name), Acceleration.evaluate(state, self.name))

@@ -1,4 +1,4 @@
-"""Moments of charged particles in fields, and crossings of the borders of fields."""
+"""Moments of charged particles in fields, and crossings of the boundaries of fields."""
 
 import math
 from dataclasses import dataclass
@@ -24,7 +24,7 @@ from sim2reason.simulation.trace import Trace
 @MOMENTS.register("across_field")
 @dataclass(frozen=True, slots=True)
 class AcrossField(FieldPassage):
-    """The first time that a body has turned back along the electric field, while it still moves across it."""
+    """The first time that a body reverses its motion along the electric field while it still moves across it."""
 
     label = "turning point along the field"
     hangs_on = "velocity"
@@ -33,11 +33,11 @@ class AcrossField(FieldPassage):
 
     @classmethod
     def suits(cls, acts: ActingFields) -> bool:
-        """Return whether there is one electric field, which does not change with time, and no medium."""
+        """Return whether the only fields are a constant electric field and uniform magnetic ones, without a medium."""
         return len(acts.electric) == 1 and acts.electric[0].profile.steady and not acts.medium
 
     def does(self, words: Words) -> Verb:
-        """Return *moves … again* for a body that is launched perpendicular to the field."""
+        """Return the verb, with *again* for a body that is launched perpendicular to the field."""
         mechanism = words.mechanism
         way = _field_direction(mechanism, self.name)
         own = mechanism.body[self.name].coordinates
@@ -47,12 +47,12 @@ class AcrossField(FieldPassage):
 
     @property
     def tells(self) -> tuple[Channel, ...]:
-        """Return what follows at once from the velocity or the displacement, as forces are along the field then."""
+        """Return the channels of forces and energies, which follow at once from the velocity or displacement."""
         told = ("acceleration", "net force", "electric potential energy")
         return tuple(Channel(self.name, quantity) for quantity in told)
 
     def time(self, trace: Trace) -> float | None:
-        """Return when the component along the field is first zero, s; None where the body is at rest then."""
+        """Return the time, s, at which the velocity along the field is first zero; None if the body is at rest then."""
         time = FieldPassage.time(self, trace)
         if time is None:
             return None
@@ -61,7 +61,7 @@ class AcrossField(FieldPassage):
         return time if here > SLIGHT * fastest else None
 
     def excess(self, state: State) -> Array:
-        """Return the component along the field with the sign that is negative at first, m/s, (n,)."""
+        """Return the velocity component along the field, negative at first, m/s, (n,)."""
         way = np.array(_field_direction(state.mechanism, self.name))
         velocity, acceleration = begins(state, self.name)
         along = float(velocity @ way)
@@ -102,7 +102,7 @@ class LeftRegion(Occurrence):
 @MOMENTS.register("velocity_returned")
 @dataclass(frozen=True, slots=True)
 class VelocityReturned(FieldPassage):
-    """The first time that a velocity in crossed fields has its initial value again: the end of a cyclotron period."""
+    """The first time that a velocity in crossed fields has its initial value again, after one cyclotron period."""
 
     label = "velocity again"
     hangs_on = "velocity"
@@ -110,28 +110,28 @@ class VelocityReturned(FieldPassage):
 
     @classmethod
     def suits(cls, acts: ActingFields) -> bool:
-        """Return whether the fields are crossed and uniform, so that the velocity has a period."""
+        """Return whether the fields are crossed and uniform, so that the velocity is periodic."""
         return acts.uniform and bool(acts.electric) and bool(acts.magnetic)
 
     def time(self, trace: Trace) -> float | None:
-        """Return the period of the velocity, s; None of what starts from rest, which comes to rest again."""
+        """Return the period of the velocity, s; None for a body that starts from rest and comes to rest again."""
         velocity, acceleration = begins(trace.state, self.name)
         return FieldPassage.time(self, trace) if velocity.any() and acceleration.any() else None
 
     def excess(self, state: State) -> Array:
-        """Return how far the velocity has changed in the direction of the initial acceleration, m²/s³, (n,)."""
+        """Return the change of the velocity times the initial acceleration, m²/s³, (n,)."""
         velocity, acceleration = begins(state, self.name)
         return (Velocity.evaluate(state, self.name) - velocity) @ acceleration
 
 
 ANGLES = (30.0, 45.0, 60.0, 90.0, 120.0, 150.0)  # degrees, such as teachers choose
-MOST = 180.0  # degrees, which a turn is not told from one the other way round beyond
+MOST = 180.0  # degrees: larger turns are ambiguous
 
 
 @MOMENTS.register("velocity_turned")
 @dataclass(frozen=True, slots=True)
 class VelocityTurned(FieldPassage, Threshold):
-    """The first time that the direction of a velocity differs by a stated angle from that at the start."""
+    """The first time that the direction of a velocity differs by a stated angle from the initial direction."""
 
     label = "velocity turned"
     part = True
@@ -140,7 +140,7 @@ class VelocityTurned(FieldPassage, Threshold):
 
     @classmethod
     def suits(cls, acts: ActingFields) -> bool:
-        """Return whether one field alone turns it, uniformly or as the ratio of two components of the velocity."""
+        """Return whether a single field turns the velocity, as in circular motion or with a constant component."""
         alone = not (acts.electric and acts.magnetic)
         return (
             alone
@@ -150,17 +150,17 @@ class VelocityTurned(FieldPassage, Threshold):
 
     @classmethod
     def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
-        """Return an angle that is reached."""
+        """Return a random usual angle that the velocity reaches, degrees; None if there is none."""
         met = [angle for angle in ANGLES if cls(name, angle).time(trace) is not None]
         return met[int(rng.integers(len(met)))] if met else None
 
     @property
     def tells(self) -> tuple[Channel, ...]:
-        """Return how the force has turned, too; but the speed may have changed."""
+        """Return the channels that the direction of the velocity determines; its magnitude may still be asked for."""
         return tuple(Channel(self.name, told) for told in ("acceleration", "net force"))
 
     def time(self, trace: Trace) -> float | None:
-        """Return when the velocity first has that direction, s; None if it never has, or does not turn."""
+        """Return the time, s, at which the velocity first has that direction; None if it never has or never turns."""
         velocity, acceleration = begins(trace.state, self.name)
         size = hypot(*velocity.tolist()) * hypot(*acceleration.tolist())
         square = abs(float(velocity @ acceleration)) <= SLIGHT * size or bool(trace.state.mechanism.forces[1:])
@@ -168,7 +168,7 @@ class VelocityTurned(FieldPassage, Threshold):
         return FieldPassage.time(self, trace) if turns else None
 
     def excess(self, state: State) -> Array:
-        """Return the component of the velocity across the direction that it has then, m/s, (n,)."""
+        """Return the component of the velocity perpendicular to that direction, m/s, (n,)."""
         (vx, vy, _), acceleration = begins(state, self.name)
         sign = 1.0 if vx * acceleration[1] >= vy * acceleration[0] else -1.0
         turn = sign * radians(self.value)
@@ -177,7 +177,7 @@ class VelocityTurned(FieldPassage, Threshold):
         return sign * (x * now[:, 1] - y * now[:, 0]) / hypot(vx, vy)
 
     def subject(self, words: Words) -> str:
-        """Return how a question calls the velocity."""
+        """Return the phrase for the velocity."""
         return f"the velocity of {self.candidates(words)[self.name]}"
 
     def phrases(self, words: Words) -> tuple[str, ...]:

@@ -36,7 +36,7 @@ class WentSlack(Occurrence):
 @MOMENTS.register("went_taut")
 @dataclass(frozen=True, slots=True)
 class WentTaut(VelocityJump):
-    """The first time that a string that was slack becomes taut, with a jerk; again, if it was taut at the start."""
+    """The first time that a slack string becomes taut with a jerk; *again* if it was taut at the start."""
 
     label = "taut"
     own = False
@@ -45,7 +45,7 @@ class WentTaut(VelocityJump):
     verb = Verb("becomes taut", "become taut")
 
     def does(self, words: Words) -> Verb:
-        """Return what it does, as a text says it of a string that it calls taut or slack at the start."""
+        """Return the verb for a string that the text calls taut or slack at the start."""
         law = words.mechanism.line[self.name].law
         spare = isinstance(law, Inextensible) and law.slack > 0.0
         return self.verb if spare else Verb("becomes taut again", "become taut again")
@@ -79,13 +79,13 @@ class MostStretched(SpringTurn):
         return 1.0
 
 
-RELAXED = 1e-9  # of its natural length
+RELAXED = 1e-9  # of the natural length: smaller extensions are zero
 
 
 @MOMENTS.register("natural_length")
 @dataclass(frozen=True, slots=True)
 class NaturalLength(Passage):
-    """The first time, after the start, that a spring is neither stretched nor compressed."""
+    """The first time after the start that a spring has its natural length."""
 
     label = "natural length"
     of = Springs()
@@ -95,27 +95,27 @@ class NaturalLength(Passage):
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Return the moments that recipes may draw: those of springs that are strained at the start."""
+        """Return the moments of springs that are strained at the start."""
         del rng
         strained = (cls(name) for name in cls.candidates(words) if not _relaxed(words.mechanism, name))
         return [moment for moment in strained if moment.comes(study)]
 
     def does(self, words: Words) -> Verb:
-        """It has its natural length, or has it again, where it has it at the start."""
+        """Return the verb *has its natural length*, with *again* if that holds at the start."""
         return self.again if _relaxed(words.mechanism, self.name) else self.verb
 
     def excess(self, state: State) -> Array:
-        """Return how far it is stretched."""
+        """Return the extension, m, (n,)."""
         return Extension.evaluate(state, self.name)
 
     def time(self, trace: Trace) -> float | None:
-        """Return the first time after the start, s, at which it was shorter or longer just before."""
+        """Return the first time after the start, s, at which the spring passes its natural length; None if never."""
         found = [first_crossing(trace, self.excess), first_crossing(trace, lambda state: -self.excess(state))]
         return min((time for time in found if time is not None), default=None)
 
     @property
     def tells(self) -> tuple[Channel, ...]:
-        """That it is not stretched."""
+        """Return the channels of the extension, length and force, which are given then."""
         return self.channels
 
 

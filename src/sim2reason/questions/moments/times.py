@@ -1,4 +1,4 @@
-"""Stated times, the start, and stretches without an end of their own."""
+"""Moments at stated times and at the start, and intervals without an event at their end."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -18,25 +18,25 @@ from sim2reason.simulation.trace import Trace, ending
 @MOMENTS.register("at_start")
 @dataclass(frozen=True, slots=True)
 class AtStart(Moment):
-    """Just after the start."""
+    """The moment just after the start."""
 
     kind = "start"
     label = "start"
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Return the only moment of this class, which every motion has."""
+        """Return the only moment of this class."""
         del study, words, rng
         return [cls()]
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
-        """It has no number or name of its own."""
+        """Yield the only moment of this class."""
         del text, trace, words
         yield cls()
 
     def time(self, trace: Trace) -> float | None:
-        """Zero."""
+        """Return zero."""
         del trace
         return 0.0
 
@@ -50,7 +50,7 @@ class AtStart(Moment):
 @MOMENTS.register("all_along")
 @dataclass(frozen=True, slots=True)
 class AllAlong(AtStart):
-    """Any time after the start, of what never changes: it is read at the start."""
+    """Any time after the start, for a constant quantity, which is evaluated at the start."""
 
     label = "all along"
 
@@ -61,13 +61,13 @@ class AllAlong(AtStart):
         return ("during the motion", "throughout the motion", "while the motion lasts")
 
 
-EARLIEST, LATEST = 0.15, 0.95  # of the stretch that can be asked about
+EARLIEST, LATEST = 0.15, 0.95  # of the simulated interval: range of random times
 
 
 @MOMENTS.register("at_time")
 @dataclass(frozen=True, slots=True)
 class AtTime(Moment):
-    """A stated time after the start."""
+    """The moment at a stated time after the start."""
 
     kind = "state"
     label = None
@@ -76,7 +76,7 @@ class AtTime(Moment):
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """A time away from events and not before all that the text gives can bear: a round number if there is one."""
+        """Return a random time away from events and late enough for all given data to matter, rounded if possible."""
         del words
         earliest, latest = (share * study.trace.stable_until for share in (EARLIEST, LATEST))
         earliest = min(max(earliest, bears_from(study.trace)), latest)
@@ -87,21 +87,21 @@ class AtTime(Moment):
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
-        """Return every number of seconds."""
+        """Yield a moment for every number of seconds in a sentence."""
         del trace
         return (cls(number) for number in words.heard(text, "s"))
 
     @property
     def stated(self) -> tuple[tuple[float, str], ...]:
-        """The time."""
+        """Return the time with its unit."""
         return ((self.after, "s"),)
 
     def having(self, numbers: Sequence[float]) -> Self:
-        """At another time."""
+        """Return the moment at another time."""
         return type(self)(*numbers)
 
     def time(self, trace: Trace) -> float | None:
-        """Return the time itself, while the motion is described."""
+        """Return the stated time, s; None after the end of the simulated motion."""
         return self.after if self.after <= trace.stable_until else None
 
     def phrases(self, words: Words) -> tuple[str, ...]:
@@ -133,10 +133,10 @@ class AtTime(Moment):
 @MOMENTS.register("whole_motion")
 @dataclass(frozen=True, slots=True)
 class WholeMotion(Moment):
-    """The end of the first period of a motion, or the instant from which all is at rest for good.
+    """The end of the first period of a motion, or the time from which everything is at rest for good.
 
-    For quantities that do not depend on positions, it is also the instant from which all moves uniformly for ever.
-    A motion that `ends` may also end where its description does. Recipes only ask about one that repeats itself.
+    For quantities that do not depend on positions, it is also the time from which all motion is uniform. A motion that
+    `ends` may also end with the simulation. Recipes only ask about periodic motions.
     """
 
     kind = "extremum"
@@ -147,7 +147,7 @@ class WholeMotion(Moment):
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Return the whole motion if it repeats itself, in place or displaced; else nothing."""
+        """Return the whole motion if it is periodic, possibly with a displacement; else nothing."""
         del words, rng
         if study.time(cls(ends=False)) is not None:
             return [cls()]
@@ -155,7 +155,7 @@ class WholeMotion(Moment):
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
-        """Yield the whole motion, which no word names; before it that with drift, if only that repeats itself."""
+        """Yield the whole motion with and without a displacement per period, as no words name it."""
         del text, words
         if cls(ends=False).time(trace) is None and cls(drifts=True, ends=False).time(trace) is not None:
             yield cls(drifts=True)
@@ -163,11 +163,11 @@ class WholeMotion(Moment):
 
     @property
     def comes_round(self) -> bool:
-        """All must be as it was."""
+        """Return True, as the initial state must recur."""
         return True
 
     def time(self, trace: Trace) -> float | None:
-        """Return the end of the first period, s, or else of the motion; None if neither is known."""
+        """Return the end of the first period, s, or the time of permanent rest; None if neither is known."""
         time = self._return(trace)
         if time is not None or not self.ends:
             return time
@@ -181,7 +181,7 @@ class WholeMotion(Moment):
         return drift_return(trace) if time is None and self.drifts else time
 
     def told(self, trace: Trace) -> str:
-        """Say how long the motion is, as in: over the whole motion, to rest at 10.2041 s."""
+        """Return a note on the duration, such as *over the whole motion, to rest at 10.2041 s*."""
         until, unit = self.time(trace), trace.mechanism.units.time
         if until is None:
             return ""

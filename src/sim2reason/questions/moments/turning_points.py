@@ -1,4 +1,4 @@
-"""Turning points of a body's motion, and extremes of its speed and height."""
+"""Moments of extreme speed and height, and of stops."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -24,13 +24,13 @@ from sim2reason.simulation.quantities.subjects.bodies import Bodies
 from sim2reason.simulation.quantities.subjects.paths import EVEN, chain, extended, rides, ways_of
 from sim2reason.simulation.trace import Event, Trace
 
-AS_FAST = 1e-6  # relative: what is slower by less is as fast
+AS_FAST = 1e-6  # relative: smaller differences of speeds are rounding
 
 
 @MOMENTS.register("fastest")
 @dataclass(frozen=True, slots=True)
 class Fastest(Passage):
-    """The first time that a body has its greatest speed, in a motion that repeats itself or ends at rest."""
+    """The first time that a body has its greatest speed, in a periodic motion or one that ends at rest."""
 
     label = "greatest speed"
     drawn_by_recipes = False
@@ -39,12 +39,12 @@ class Fastest(Passage):
     verb = Verb("reaches its greatest speed", "reach its greatest speed")
 
     def excess(self, state: State) -> Array:
-        """Return −v·a, by how much half the squared speed falls per second, in m²/s³, (n,)."""
+        """Return −v·a, the negative rate of half the squared speed, m²/s³, (n,)."""
         velocity, acceleration = (found.evaluate(state, self.name) for found in (Velocity, Acceleration))
         return -np.einsum("ij,ij->i", velocity, acceleration)
 
     def time(self, trace: Trace) -> float | None:
-        """Return when the speed first stops growing at its greatest value, s; None if it may grow later, too."""
+        """Return the time of greatest speed, s; None if a greater speed may follow."""
         if not nothing_new(trace):
             return None
         greatest = float(np.linalg.norm(Velocity.evaluate(trace.scan, self.name), axis=1).max())
@@ -54,13 +54,13 @@ class Fastest(Passage):
         return None
 
 
-SLOW = 0.1  # of the greatest speed: between instants of a scan, one that touches zero is seen to fall below that
+SLOW = 0.1  # of the greatest speed: a sampled minimum below may touch zero between samples
 
 
 @MOMENTS.register("stopped")
 @dataclass(frozen=True, slots=True)
 class Stopped(Occurrence):
-    """The first time that a body that was moving comes to rest, be it for an instant."""
+    """The first time that a moving body comes to rest, if only for an instant."""
 
     label = "rest"
     own = True
@@ -74,13 +74,13 @@ class Stopped(Occurrence):
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Bodies that ride on nothing, so that rest means one thing."""
+        """Return the bodies that ride on no other body, with their phrases."""
         mechanism = words.mechanism
         called = words.called(cls.of).items()
         return {name: said for name, said in called if not rides(mechanism, name)}
 
     def subject(self, words: Words) -> str:
-        """What slips as it rolls may go on spinning while its centre is at rest, which then is what is spoken of."""
+        """Return the phrase for the subject; its centre for a slipping, rolling body, which may spin on."""
         name = words.called(self.of)[self.name]
         if not _spins_on(words.mechanism, self.name):
             return name
@@ -88,27 +88,27 @@ class Stopped(Occurrence):
         return f"the centre of {name}" if point == name else point
 
     def does(self, words: Words) -> Verb:
-        """It reaches its greatest height, or comes to rest again, where it is at rest at the start."""
+        """Return the verb: *reaches its greatest height*, *comes to rest*, or *again* for a body at rest at first."""
         if self._is_top(words):
             return self.top
         return self.verb if _starts(words.mechanism, self.name) else self.again
 
     def count(self, words: Words) -> int | None:
-        """Return no number for the top of a flight, which is reached once."""
+        """Return the number of the stop; None for the top of a flight, which is unique."""
         return None if self._is_top(words) else Occurrence.count(self, words)
 
     def _is_top(self, words: Words) -> bool:
-        """Return whether it is the first stop of a body that goes straight up."""
+        """Return whether the stop is the top of a vertical flight."""
         return self.most > 0 and self.number == 1 and goes_straight_up(words.mechanism, self.name)
 
     @classmethod
     def seen_as(cls, name: str, words: Words) -> set[str]:
-        """Return the names under which events report the stop of a body: coordinates and contacts of any body."""
+        """Return the names under which the trace records a stop of the body: coordinates and contacts of any body."""
         del name
         return {c.name for c in words.mechanism.coordinates} | words.mechanism.contacts.keys()
 
     def time(self, trace: Trace) -> float | None:
-        """Return the time of the stop, s, or of an earlier instant at which the body's speed only touches zero."""
+        """Return the time of the stop, s, or of an earlier instant of zero speed without an event; None if none."""
         if self.number > 1:
             return self._later(trace)
         event = Occurrence.time(self, trace)
@@ -116,7 +116,7 @@ class Stopped(Occurrence):
         return next((time for time in self._touches(trace, before)), event) if self.may_touch else event
 
     def _later(self, trace: Trace) -> float | None:
-        """Return the time of a later stop, s, instants at which the speed only touches zero counted as well."""
+        """Return the time of a later stop, s, including instants of zero speed without an event."""
         end = trace.stable_until
         times = [e.time for e in trace.events if 0.0 < e.time <= end and self.is_this(e, trace)]
         touched = self._touches(trace, end) if self.may_touch else ()
@@ -125,7 +125,7 @@ class Stopped(Occurrence):
         return sorted(times)[self.number - 1] if len(times) >= self.number else None
 
     def _touches(self, trace: Trace, before: float) -> Iterator[float]:
-        """Yield the times before `before`, s, at which the body's speed touches zero without an event."""
+        """Yield the times before `before`, s, at which the body's speed is zero without an event."""
         times, speeds = trace.scan.times, np.linalg.norm(Velocity.evaluate(trace.scan, self.name), axis=1)
         early = speeds[times < before * (1.0 - SLOW)]
         lowest = early[1:-1][(early[1:-1] <= early[:-2]) & (early[1:-1] < early[2:])]
@@ -143,7 +143,7 @@ class Stopped(Occurrence):
                 yield time
 
     def is_this(self, event: Event, trace: Trace) -> bool:
-        """Return whether the body is at rest then, and was not before."""
+        """Return whether the body comes to rest at an event."""
         if event.kind not in self.kinds:
             return False
         times, speeds = trace.scan.times, np.linalg.norm(Velocity.evaluate(trace.scan, self.name), axis=1)
@@ -154,14 +154,14 @@ class Stopped(Occurrence):
 
 
 def _spins_on(mechanism: Mechanism, name: str) -> bool:
-    """Return whether a body that has a size turns and slides, and no face lets the one go only with the other."""
+    """Return whether a body with a size slides and rotates independently of the sliding."""
     kinds = {coordinate.kind for coordinate in mechanism.body[name].coordinates}
     face = mechanism.contacts.get(name)
     return kinds == {"slide", "hinge"} and extended(mechanism, name) and (face is None or face.friction < inf)
 
 
 def _starts(mechanism: Mechanism, name: str) -> bool:
-    """Whether its centre of mass moves at the start, by whatever coordinate, its own or one of what carries it."""
+    """Return whether the body's centre of mass moves at the start."""
     speeds = {coordinate.name: coordinate.speed for coordinate in mechanism.coordinates}
     ways = ways_of(mechanism, name, mechanism.body[name].center)
     return hypot(*add(*(scale(speeds[number], way) for number, way in ways.items()))) > EVEN
@@ -170,7 +170,7 @@ def _starts(mechanism: Mechanism, name: str) -> bool:
 @MOMENTS.register("halted")
 @dataclass(frozen=True, slots=True)
 class Halted(Stopped):
-    """The last stop of a body that friction brings to rest for good, where it has had others."""
+    """The last of several stops of a body, at which friction brings it to rest for good."""
 
     label = "rest for good"
     kinds = ("stick",)
@@ -179,7 +179,7 @@ class Halted(Stopped):
     verb = again = Verb("comes to rest for good", "come to rest for good")
 
     def is_this(self, event: Event, trace: Trace) -> bool:
-        """Return whether it stops then, has stopped before, and nothing ever moves again."""
+        """Return whether an event is such a stop."""
         if not Stopped.is_this(self, event, trace) or not ends_at_rest(trace):
             return False
         times, speeds = trace.scan.times, _speeds(trace, self.name)
@@ -203,15 +203,15 @@ class HighestPoint(TurningPoint):
     local_verb = Verb("stops rising", "stop rising")
 
     def extent(self, state: State) -> Array:
-        """Return its height from where it began."""
+        """Return the height above the starting point, m, (n,)."""
         return Displacement.evaluate(state, self.name)[:, 2]
 
     def excess(self, state: State) -> Array:
-        """Return how fast it falls."""
+        """Return the downward velocity, m/s, (n,)."""
         return -Velocity.evaluate(state, self.name)[:, 2]
 
 
-STANDS = 1e-3  # of its greatest speed: a hinge that turns more slowly stands still
+STANDS = 1e-3  # of its greatest speed: a slower hinge is at rest
 
 
 @MOMENTS.register("lowest_point")
@@ -224,7 +224,7 @@ class LowestPoint(TurningPoint):
     local_verb = Verb("stops falling", "stop falling")
 
     def comes(self, study: Study) -> bool:
-        """Whether it passes through it: an arm that rocks to one side of its axle turns back where it is lowest."""
+        """Return whether the body passes the lowest point, as opposed to an arm that reverses there."""
         if not super(LowestPoint, self).comes(study):  # slots make another class of this one, which super() misses
             return False
         time, hinges = study.time(self), _hinges(study.mechanism, self.name)
@@ -235,15 +235,15 @@ class LowestPoint(TurningPoint):
         return not hinges or bool(np.any(turning > STANDS * fastest))
 
     def extent(self, state: State) -> Array:
-        """Return its depth from where it began."""
+        """Return the depth below the starting point, m, (n,)."""
         return -Displacement.evaluate(state, self.name)[:, 2]
 
     def excess(self, state: State) -> Array:
-        """Return how fast it rises."""
+        """Return the upward velocity, m/s, (n,)."""
         return Velocity.evaluate(state, self.name)[:, 2]
 
 
 def _hinges(mechanism: Mechanism, name: str) -> list[int]:
-    """Return the coordinates with which the first body turns that turns at all, of itself and those that carry it."""
+    """Return the coordinates of the innermost rotating body among the body itself and its carriers."""
     each = ([c for c in body.coordinates if c.kind == "hinge"] for body in chain(mechanism, name))
     return [mechanism.number[c.name] for c in next(filter(None, each), ())]

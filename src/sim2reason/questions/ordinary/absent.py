@@ -1,4 +1,4 @@
-"""Things that a question speaks of and that a scene does not have."""
+"""Objects in a question that a scene does not have."""
 
 import re
 
@@ -13,7 +13,7 @@ SETTING = frozenset(
 
 
 def absent(sentence: str, scene: Scene) -> str:
-    """Return a clause that the scene lacks a thing of which a sentence speaks; empty if it lacks none."""
+    """Return a clause that names an object of a sentence that the scene lacks; empty if there is none."""
     asked, told = _words(sentence), _words(describe(scene).text)
     present = {noun for body in scene.bodies.values() for noun in body.nouns}
     nouns = {noun for body in BODIES.values() for noun in body.nouns} - SETTING - present
@@ -22,5 +22,5 @@ def absent(sentence: str, scene: Scene) -> str:
 
 
 def _words(text: str) -> set[str]:
-    """Return the words of a text, without the plural's s."""
+    """Return the words of a text, without the s of plurals."""
     return {word.removesuffix("s") for word in re.findall(r"[a-z-]+", text.lower())}

@@ -56,7 +56,7 @@ _WORK = re.compile(r"how much work (?:has|does|did) friction (?:done|do)(?: on @
 
 
 def without_asides(text: str) -> str:
-    """Return a question without what adds nothing to it; the size of friction's work is the heat that it produces."""
+    """Return a question without words that do not change its meaning, and with friction's work in standard words."""
     if re.search(r"\bgive (?:only )?(?:its )?(?:magnitude|size)$", text) is not None:
         text = _WORK.sub("how much energy is lost to friction", text)
     for aside in ASIDES:
@@ -112,7 +112,7 @@ _SEEN_BY = re.compile(
 
 
 def without_leads(text: str, numbers: tuple[str, ...], *, smooth: bool) -> str:
-    """Return a question without words that ask for nothing, and without a number that repeats the one before it.
+    """Return a question without empty leading words, and without a repetition of the preceding number.
 
     In a scene without friction, which is `smooth`, a sentence such as *the floor is smooth* is left out as well.
     """

@@ -82,7 +82,7 @@ def verb_forms() -> frozenset[str]:
 
 
 def based(text: str) -> str:
-    """Return a text with the base forms of its verbs, without auxiliaries and without words that say nothing."""
+    """Return a text with base forms of its verbs, without auxiliaries and empty words."""
     bases = _bases()
     words = (bases.get(word, word) for word in text.split())
     return " ".join(word for word in words if word not in AUXILIARIES and word not in EMPTY)
@@ -146,7 +146,7 @@ def _head(told: str) -> re.Pattern[str]:
 
 
 def paraphrased(clause: str) -> Iterator[str]:
-    """Yield plain clauses that say what a clause says, if every word of the clause has its place."""
+    """Yield plain equivalents of a clause, if they account for every word of the clause."""
     if re.search(r"\b(?:not|half|without|unless|never|except|last|another|more|less|next|than)\b", clause) and not (
         re.search(r"without (?:slip|slid|skid)|(?:shorter|longer|higher|lower) than", clause)
     ):
@@ -164,12 +164,12 @@ def paraphrased(clause: str) -> Iterator[str]:
 
 
 def way_of(said: str) -> str:
-    """Return the plain word for a way: up, down, to right or to left."""
+    """Return the plain word for a direction: up, down, right or left."""
     return {"uphill": "up", "upwards": "up", "upward": "up", "downhill": "down"}.get(said, said).removesuffix("wards")
 
 
 def _filled(plain: str, found: re.Match[str], rest: str) -> Iterator[str]:
-    """Yield a plain clause with the subject, number and way of a clause; nothing if a word is left without a place."""
+    """Yield a plain clause with the subject, number and direction filled in; nothing if a word is left over."""
     ways = re.findall(r"<(.+?)>", rest)
     rest = PLACES.sub(" ", re.sub(r"<.+?>", " ", rest))
     subjects = list(dict.fromkeys(re.findall(S, rest) + re.findall(S, found[0])))
@@ -204,7 +204,7 @@ def _filled(plain: str, found: re.Match[str], rest: str) -> Iterator[str]:
 
 
 def _for_these(plain: str, subjects: list[str], ways: list[str], text: str) -> str:
-    """Return a plain clause for one subject, or for a way, if there is that; empty if nothing is meant by it.
+    """Return a plain clause for one subject, or for a direction if there is one; empty if it has no meaning.
 
     `text` is the head of the clause, then ``<>``, then the rest of the clause.
     """
@@ -225,6 +225,6 @@ def _for_these(plain: str, subjects: list[str], ways: list[str], text: str) -> s
 
 
 def _sense(groups: Mapping[str, str]) -> str:
-    """Return the verb for the way in which a body moves up or down; *rises* where a sentence does not tell."""
+    """Return the verb for vertical motion of a body; *rises* if a sentence does not give the direction."""
     falls = re.fullmatch(FALL, groups.get("fall", "")) is not None or groups.get("down") == "<down>"
     return "falls" if falls else "rises"

@@ -36,6 +36,6 @@ BEYOND: Mapping[str, str] = {
 
 
 def reason(sentence: str) -> str:
-    """Return a clause that says why the library cannot pose a sentence's question; empty if the reason is unknown."""
+    """Return a clause that explains why the library cannot answer a sentence; empty if the reason is unknown."""
     plain = " ".join(sentence.lower().split())
     return next((told for like, told in BEYOND.items() if re.search(like, plain)), "")

@@ -1,4 +1,4 @@
-"""Questions about what lies between two moments: times, changes of a quantity, and what comes after a bounce."""
+"""Questions about the interval between two moments: times, changes of a quantity, and heights after a bounce."""
 
 import re
 from collections.abc import Iterator
@@ -138,7 +138,7 @@ def _slack(heard: Heard) -> Iterator[tuple[Main, When]]:
 
 
 def differences(heard: Heard) -> Iterator[tuple[Main, When]]:
-    """Yield what a sentence may ask for that lies between two moments, as a main clause and its moment."""
+    """Yield the questions of a sentence about an interval between two moments, each as main clause and moment."""
     whole = heard.subject("@0@") if heard.subjects else ""
     for told in _BETWEEN:
         found = told.fullmatch(heard.text)
@@ -203,7 +203,7 @@ def after_bounce(question: str, clause: str, side: str, heard: Heard) -> Iterato
 
 
 def changed(main: Main, when: When, side: str) -> When | None:
-    """Return the moment, less an earlier one, of a gain, a loss or a change: over an event, or else since the start."""
+    """Return the moment of a gain, loss or change, minus the earlier moment: an event's other side, or the start."""
     told = when.told.removesuffix(" before")
     jumps = told.endswith(("bounced", "collided", "edge landed")) and side in (THEN, DURING)
     if main.needs == JUMP and (not jumps or (not main.of and "collided" in told)):

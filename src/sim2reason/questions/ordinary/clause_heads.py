@@ -1,4 +1,4 @@
-"""Heads of clauses that name a moment, in base forms, each with the plain clause that says the same."""
+"""Heads of clauses that name a moment, in base forms, each with an equivalent plain clause."""
 
 from collections.abc import Mapping
 

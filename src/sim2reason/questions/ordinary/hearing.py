@@ -82,18 +82,18 @@ _ARTICLES = re.compile(r"\b(?:the|an|a)\b ?")
 
 @dataclass(frozen=True, slots=True)
 class Heard:
-    """A tokenized sentence, with the phrases of the text and the numbers with units for which the tokens stand."""
+    """A tokenized sentence, with the phrases and numbers that its tokens represent."""
 
     text: str
     subjects: tuple[str, ...]
     numbers: tuple[str, ...]
 
     def subject(self, token: str | None) -> str:
-        """Return the text's phrase for the subject that a token stands for; empty without a token."""
+        """Return the text's phrase for the subject of a token; empty without a token."""
         return self.subjects[int(token.strip("@"))] if token else ""
 
     def number(self, token: str) -> str:
-        """Return the number, with its unit, that a token stands for."""
+        """Return the number, with its unit, that a token represents."""
         return self.numbers[int(token.strip("#"))]
 
 

@@ -1,4 +1,4 @@
-"""What main clauses ask for, in base forms, each with the plain main clause that says the same."""
+"""Patterns of main clauses, in base forms, each with an equivalent plain main clause."""
 
 from sim2reason.questions.ordinary.clause_heads import HOME
 from sim2reason.questions.ordinary.vocabulary import GROUNDS

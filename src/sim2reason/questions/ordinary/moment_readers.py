@@ -1,4 +1,4 @@
-"""Readers of clauses that name a moment: from what a clause says to all moments that may be meant."""
+"""Readers of clauses that name a moment: each yields all moments that its clause may mean."""
 
 import re
 from collections.abc import Callable, Iterator
@@ -66,7 +66,7 @@ def turned_back(name: str, way: str) -> Reader:
 
 
 def alone(name: str) -> Reader:
-    """Return a reader for a moment that a scene has only one of, whatever subject is named."""
+    """Return a reader for a moment that is unique in a scene, whatever subject is named."""
 
     def read(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
         del found, heard, subject
@@ -93,7 +93,7 @@ def jump(*names: str) -> Reader:
 
 
 def _both(who: str, heard: Heard) -> str:
-    """Return the two bodies that a plural means; empty unless it means two."""
+    """Return the two bodies that a plural phrase means; empty unless it means two."""
     joint = [said for said in (who, *heard.subjects) if said.startswith(f"{ALL} ")]
     both = joint[0].removeprefix(f"{ALL} ") if joint else ""
     return both if both.count(" & ") == 1 else ""
@@ -132,7 +132,7 @@ def landed(found: re.Match[str], heard: Heard, subject: str, side: str) -> Itera
 
 
 def joined(found: re.Match[str], heard: Heard, subject: str, asked: str) -> Iterator[When]:
-    """Yield the moment from which bodies move together, as nothing slips any more."""
+    """Yield the moment from which bodies move together, when slipping ends."""
     yield When("stopped slipping", BEFORE if asked == BEFORE else AFTER)
     both = _both(subject_of(found, heard, subject), heard)
     if both:
@@ -176,7 +176,7 @@ def covered(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iter
 
 
 def relatively(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when a body has gone a distance along what carries it."""
+    """Yield the moment when a body has moved a distance along its carrier."""
     who = heard.subject(found["s"]) or subject
     told = f"displacement relative to its carrier of {who} = {heard.number(found['n'])}"
     yield When(told, side, ((who, f"{ON}{heard.subject(found['t'])}"),) if found["t"] else ())
@@ -190,26 +190,26 @@ def returned(found: re.Match[str], heard: Heard, subject: str, side: str) -> Ite
 
 
 def stops_going(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when a body that goes one way comes to rest."""
+    """Yield the moment when a body that moves in one direction comes to rest."""
     for when in simply("stopped")(found, heard, subject, side):
         yield replace(when, ways=(*when.ways, *ways_of(found, subject_of(found, heard, subject))))
 
 
 def has_component(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when a component of a velocity has a value, downwards if the body falls."""
+    """Yield the moment when a component of a velocity has a given value, downwards if the body falls."""
     who, sign = subject_of(found, heard, subject), "-" if found["sense"] in ("falls", "down") else ""
     yield When(f"velocity of {who} along {found['axis']} = {sign}{heard.number(found['n'])}", side)
 
 
 def at_place(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when a coordinate of a body has a value."""
+    """Yield the moment when a coordinate of a body has a given value."""
     who, axis = subject_of(found, heard, subject), found["axis"]
     value = f"{'-' if found['sign'] else ''}{heard.number(found['n'])}"
     yield When(f"{axis} coordinate of {who} = {value}", side)
 
 
 def quantity_is(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when a quantity named by a noun has a value."""
+    """Yield the moment when a quantity named by a noun has a given value."""
     name, who = meant(QUANTITIES, found["q"]), subject_of(found, heard, subject)
     if name == "compression":
         yield When(f"extension of {who} along stretched = -{heard.number(found['n'])}", side, ((who, COMPRESSED),))
@@ -220,13 +220,13 @@ def quantity_is(found: re.Match[str], heard: Heard, subject: str, side: str) -> 
 
 
 def directed(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when the vertical component of a velocity or an acceleration has a value."""
+    """Yield the moment when the vertical component of a velocity or an acceleration has a given value."""
     sign = "-" if found["up"] == "down" else ""
     yield When(f"{found['q']} of {subject_of(found, heard, subject)} along up = {sign}{heard.number(found['n'])}", side)
 
 
 def at(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield a stated time; one that is counted from a lift-off only where the body lifts off at once."""
+    """Yield a stated time; a time counted from lift-off only if the body lifts off at once."""
     number = heard.number(found["n"])
     ways = ((subject, SETS_OFF),) if LIFT_OFF.search(heard.text) is not None else ()
     if is_time(number):

@@ -1,4 +1,4 @@
-"""Moments such as *when its speed has doubled*, *after a long time* or *2 s after the collision*, put into numbers."""
+"""Moments such as *when its speed has doubled*, *after a long time* or *2 s after the collision*, as numbers."""
 
 import re
 from dataclasses import replace
@@ -19,18 +19,18 @@ TIMES, GREATEST, AT_BURNOUT = " times that at start", " times the greatest", " t
 _MULTIPLE = re.compile(
     rf"(?P<find>[a-z ]+?)(?: of (?P<of>.+))? = (?P<factor>[\d.]+)(?P<ref>{TIMES}|{GREATEST}|{AT_BURNOUT})"
 )
-SPEEDS = {"velocity": "speed", "angular velocity": "angular speed"}  # what greatest values are called by
+SPEEDS = {"velocity": "speed", "angular velocity": "angular speed"}  # names of greatest values
 
 
 LONG, PAST = "after a long time", " after "
 LATE = re.compile(rf"(?P<late>[\d.e-]+) (?P<unit>\S+){PAST}")
 _LATER = re.compile(rf"{LATE.pattern}(?P<event>.*collided)")
-APART = 0.3  # relative: extremes that differ by more are not of one motion that goes on and on
-DOUBLINGS, SETTLED = 10, 1e-7  # of the time that is long enough, and what changes by less, relative, changes no more
+APART = 0.3  # relative: extremes that differ by more do not belong to a steady oscillation
+DOUBLINGS, SETTLED = 10, 1e-7  # doublings of the duration, and the relative change below which a value is constant
 
 
 def in_numbers(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> StructuredQuestion:
-    """Return a question whose moment is a value or a time with its unit, for one such as *when its speed has doubled*.
+    """Return a question whose relative moment, such as *when its speed has doubled*, is replaced by a value or time.
 
     Raises:
         TextError: there is no such quantity, or it is zero at the start, or never settles down, or nothing collides.
@@ -57,7 +57,7 @@ def in_numbers(asked: StructuredQuestion, motion: FollowedMotion, words: Words) 
 
 
 def _greatest(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion:
-    """Return the question for a greatest value of a motion that repeats itself, as others have no clear maximum."""
+    """Return the question for a greatest value of a periodic motion, as others have no clear maximum."""
     found = posed(asked, motion, words)
     moment = found.query.moment
     assert isinstance(moment, WholeMotion)
@@ -65,7 +65,7 @@ def _greatest(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -
 
 
 def _settled(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> StructuredQuestion:
-    """Return a question about a time so late that the answer, an extreme or one in a medium, no longer changes."""
+    """Return a question at a time so late that the answer, an extreme or a limit in a medium, is constant."""
     resisted = any(isinstance(force.law, Resistance) for force in words.mechanism.forces)
     if asked.find == "time" or not (resisted or asked.find.startswith(("greatest", "least"))):
         raise TextError("when", "nothing settles down here", "name a moment")
@@ -87,7 +87,7 @@ def _settled(asked: StructuredQuestion, motion: FollowedMotion, words: Words) ->
 
 
 def _nothing_greater(query: Query, followed: Followed) -> bool:
-    """Return whether an extreme is reached again and again, or else never again by far.
+    """Return whether an extreme recurs again and again, or else remains unequalled by far.
 
     Where many periods mix, the extremes of the second half of the motion come near to those of the first half, and
     greater ones may follow at any time.
@@ -105,7 +105,7 @@ def _nothing_greater(query: Query, followed: Followed) -> bool:
 
 
 def _later(asked: StructuredQuestion, found: re.Match[str], motion: FollowedMotion, words: Words) -> StructuredQuestion:
-    """Return a question with a time from the start, for one with a time from a collision."""
+    """Return a question with a time counted from the start, for one counted from a collision."""
     began = posed(StructuredQuestion("time", "", found["event"]), motion, words)
     answer = began.followed(motion).answer
     if answer is None or began.unit(words) != found["unit"] or asked.find == "time":

@@ -46,7 +46,7 @@ UPRIGHT = 1e-6
 
 
 class NamedLine(NamedTuple):
-    """A line: its name, the text's phrase, its noun, phrases of its ends, whether each is an axle, its pulleys."""
+    """A line with its name, phrase, noun, the phrases of its ends, whether each end is an axle, and its pulleys."""
 
     name: str
     phrase: str
@@ -57,17 +57,17 @@ class NamedLine(NamedTuple):
 
 
 def alike(noun: str, *others: str) -> str:
-    """Return a pattern's alternatives for a noun, those that may stand for it and others."""
+    """Return the alternatives of a pattern for a noun: its synonyms and other given nouns."""
     return "|".join(sorted({noun, *others} | group(noun)))
 
 
 def group(noun: str) -> frozenset[str]:
-    """Return all nouns that may stand for one."""
+    """Return all synonyms of a noun."""
     return next((nouns for nouns in NOUNS if noun in nouns), frozenset[str]())
 
 
 def between(phrase: str, lone: frozenset[str] = frozenset()) -> Iterable[Ranked]:
-    """Yield ranked patterns that name a string, spring or rod by the two things at its ends, in either order.
+    """Yield ranked patterns that name a string, spring or rod by the two objects at its ends, in either order.
 
     A thing whose noun is one of the `lone` ones may be called by the noun without its letter.
     """
@@ -86,7 +86,7 @@ def between(phrase: str, lone: frozenset[str] = frozenset()) -> Iterable[Ranked]
 
 
 def named_lines(words: Words) -> Iterable[Ranked]:
-    """Yield ranked patterns of all names of strings and springs that mean one alone."""
+    """Yield ranked patterns of all unique names of strings and springs."""
     for kind, noun in ((Strings(), "string"), (Springs(), "spring")):
         lines = [_named(name, noun, words) for name in kind.names(words.mechanism)]
         known = words.called(kind)
@@ -98,7 +98,7 @@ def named_lines(words: Words) -> Iterable[Ranked]:
 
 
 def swinging_lines(words: Words) -> Iterable[Ranked]:
-    """Yield ranked patterns of the line from an axle to a body that is on the side of an arm's centre of mass."""
+    """Yield ranked patterns of the line from an axle to a body on the side of an arm's centre of mass."""
     mechanism = words.mechanism
     for name, phrase in words.called(SwingingLines()).items():
         body = mechanism.body.get(name)
@@ -138,7 +138,7 @@ def _named(name: str, noun: str, words: Words) -> NamedLine:
 
 
 def _by_ends(line: NamedLine, lines: list[NamedLine]) -> Iterable[Ranked]:
-    """Yield patterns by the ends of a line; by one end alone only if no other line ends there."""
+    """Yield patterns by the ends of a line; by a single end only if no other line ends there."""
     string = rf"\b(?:[Tt]he )?{_PART}(?:{alike(line.noun)})"
     one, other = line.ends
     if one and other and [{*each.ends} for each in lines].count({one, other}) == 1:
@@ -201,7 +201,7 @@ def _by_places(line: NamedLine, lines: list[NamedLine], words: Words) -> Iterabl
 
 
 def _tilt(line: NamedLine, words: Words) -> float | None:
-    """Return the vertical part of the direction in which the body at a part's end moves; None if it is not known."""
+    """Return the vertical component of the direction in which the body at a part's end moves; None if unknown."""
     said: Mapping[str, str] = {phrase: name for name, phrase in words.mentions.items() if name in words.mechanism.body}
     bodies = [said[end] for end in line.ends if end in said and "pulley" not in end]
     path = center_path(words.mechanism, bodies[0]) if len(bodies) == 1 else None
@@ -221,13 +221,13 @@ def _end(said: str, lone: frozenset[str] = frozenset()) -> str:
     return rf"(?:the )?(?:axle of )?(?:the )?(?:(?:movable|fixed) )?{re.escape(bare)}"
 
 
-NEAR = 0.01  # relative: how well a mass must fit, as texts round it
+NEAR = 0.01  # relative: largest difference from a particle's mass, as texts round masses
 MASSES: Mapping[str, float] = {"electron": 9.1094e-31, "proton": 1.6726e-27}
 """The masses of particles, kg."""
 
 
 def with_particles(text: str, words: Words) -> str:
-    """Return a text that calls a particle, by whose name only one body can be meant, as the scene's text does."""
+    """Return a text in which the name of a particle, if unique, is replaced by the scene's phrase for the body."""
     factor = parse_unit(words.units.spell("kg")).factor_to(parse_unit("kg")) or 1.0
     for particle, mass in MASSES.items():
         fits = [

@@ -22,7 +22,7 @@ COMMON = frozenset(
 
 
 def nearest_said(sentence: str, motion: FollowedMotion, words: Words) -> str:
-    """Return a hint for a sentence not understood: the reason, if known, and the questions that share most words."""
+    """Return a hint for a sentence that is not understood: the reason, if known, and similar questions."""
     why = absent(sentence, motion.study.scene) or reason(sentence)
     said = _words(sentence)
     offered = dict.fromkeys(question.sentence(words) for question in _offered(motion, words))
@@ -37,7 +37,7 @@ def _words(sentence: str) -> set[str]:
 
 
 def _offered(motion: FollowedMotion, words: Words) -> Iterator[PosedQuestion]:
-    """Yield questions for when each kind of event happens, and for every quantity at an event or at a given time."""
+    """Yield questions for the time of each kind of event, and for every quantity at an event or a stated time."""
     study = eventful(motion).study
     rng = np.random.default_rng(0)
     moments: list[Moment] = [moment for cls in by_cause() for moment in list(cls.found(study, words, rng))[:1]]

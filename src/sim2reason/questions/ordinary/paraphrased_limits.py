@@ -1,4 +1,4 @@
-"""Numbers of the scene that decide whether something happens, asked for in any order of words."""
+"""Patterns of questions, in any word order, for the number that decides about an outcome."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -78,7 +78,7 @@ _WISHES = re.compile(
 
 
 class DecidingNumber(NamedTuple):
-    """A number by its name, its owner, the outcome, whether it happens, of what, and which end of the range."""
+    """A number by name and owner, with the outcome, its subject, whether it occurs, and the end of the range."""
 
     name: str
     owner: str
@@ -89,7 +89,7 @@ class DecidingNumber(NamedTuple):
 
 
 def limits(heard: Heard, numbers: Mapping[str, str]) -> Iterator[DecidingNumber]:
-    """Yield every number that a sentence may ask for by an outcome, if every word of the sentence has its place."""
+    """Yield every number that a sentence may ask for by an outcome, if this accounts for every word."""
     text = " ".join(WAY.sub(lambda found: f" <{way_of(found['way'])}> ", _HEAVY.sub(_mass, heard.text)).split())
     asked = _parameter(tuple(numbers.values())).search(text)
     if asked is None or re.match(r"(?:what|which|find|determine|calculate|compute|how|for|with|at)\b", text) is None:

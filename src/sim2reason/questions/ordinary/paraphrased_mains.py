@@ -1,4 +1,4 @@
-"""Paraphrases of main clauses: what is wanted decides, and every other word must have its place."""
+"""Paraphrases of main clauses, selected by the quantity asked for and accepted only if they use every word."""
 
 import re
 from collections.abc import Iterator
@@ -54,7 +54,7 @@ def _motions() -> str:
 
 
 def paraphrased(question: str) -> Iterator[str]:
-    """Yield plain main clauses that say what a main clause says, if every word of the clause has its place."""
+    """Yield plain equivalents of a main clause, if they account for every word of the clause."""
     if re.search(r"between (@\d+@) and \1", question) is not None:
         return
     supposes = re.sub(r"radius of .*?(?:on|along|in) which", "", question)
@@ -78,13 +78,13 @@ def _one(found: re.Match[str]) -> str:
 
 
 def _side(plain: str, said: str) -> str:
-    """Return *up* or *down* for the side of a point, as a way, or *above* or *below*."""
+    """Return the side of a point as a direction, *up* or *down*, or as *above* or *below*."""
     above = said == "above"
     return ("up" if above else "down") if "vertically" not in plain else ("above" if above else "below")
 
 
 def _without_parts(row: WantedRow, text: str, groups: dict[str, str]) -> str | None:
-    """Return a text without the parts of a row, and add their groups to `groups`; None if the text lacks a part."""
+    """Return a text without the parts of a row, whose groups are added to `groups`; None if a part is missing."""
     for told in row.parts:
         found = _part(told.removeprefix("?")).search(text)
         if found is None and told.startswith("?"):
@@ -101,7 +101,7 @@ def _without_parts(row: WantedRow, text: str, groups: dict[str, str]) -> str | N
 
 
 def _filled(row: WantedRow, text: str) -> Iterator[str]:
-    """Yield a row's plain clause, filled in; nothing unless a text has all parts of the row, and only loose words."""
+    """Yield a row's plain clause, filled in, if a text has all parts of the row and otherwise only fillers."""
     groups = dict[str, str]()
     rest = _without_parts(row, text, groups)
     if rest is None or _MATTERS.search(rest) is not None:

@@ -1,4 +1,4 @@
-"""Readers of clauses that name a moment by a place, by a state of a spring, by the start, or by a multiple."""
+"""Readers of clauses that name a moment by a position, by a state of a spring, by the start, or by a multiple."""
 
 import re
 from collections.abc import Iterator
@@ -44,7 +44,7 @@ def level(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterat
 
 
 def sets_off(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the start, presuming that a body starts to move at once; before it, of what does not depend on motion."""
+    """Yield the start, presuming that a body starts to move at once; before it, for values independent of motion."""
     way = UNMOVED if side == BEFORE else SETS_OFF
     yield When("at start", ways=((subject_of(found, heard, subject), way),))
 
@@ -56,14 +56,14 @@ def stays_below(found: re.Match[str], heard: Heard, subject: str, side: str) -> 
 
 
 def orbited(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when a body has gone half way, or a quarter of the way, round the body that attracts it."""
+    """Yield the moment when a body has completed half or a quarter of its orbit."""
     del subject
     pair = " & ".join(heard.subject(found[key]) for key in "st" if found[key])
     yield When(f"{pair} orbited {180 if found['turns'] == 'half' else 90} deg", side)
 
 
 def under(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when a body that swings is straight below what carries it along a level line."""
+    """Yield the moment when a swinging body is vertically below its carrier on a level line."""
     del subject
     who = heard.subject(found["s"])
     yield When(f"{who} lowest point", side, ((who, f"{UNDER}{heard.subject(found['t'])}"),))
@@ -119,20 +119,20 @@ def from_origin(found: re.Match[str], heard: Heard, subject: str, side: str) -> 
 
 
 def multiple(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when a quantity is a multiple of what it is at the start."""
+    """Yield the moment when a quantity is a multiple of its initial value."""
     who, find = subject_of(found, heard, subject), meant(QUANTITIES, found["q"])
     yield When(f"{find} of {who} = {FACTORS[found['times'].split()[0]]}{TIMES}", side)
 
 
 def across(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the stop of a body that has passed the lowest point of its path, or where nothing accelerates the body."""
+    """Yield the stop of a body beyond the lowest point of its path, or at a point without acceleration."""
     who = subject_of(found, heard, subject)
     yield When(f"{who} stopped", side, ((who, ACROSS),))
     yield When("stopped", side, ((who, ACROSS), (who, STANDS)))
 
 
 def begun(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the start; a lift-off only where the body lifts off at once."""
+    """Yield the start; for a lift-off only if the body lifts off at once."""
     if LIFT_OFF.search(found[0]) is not None or LIFT_OFF.search(heard.text) is not None:
         yield When("at start", ways=((subject, SETS_OFF),))
     else:
@@ -176,7 +176,7 @@ def natural(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iter
 
 
 def parallel(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the first moment after the start when a body moves along an axis, one way or the other."""
+    """Yield the first moment after the start when a body moves parallel to an axis, in either direction."""
     other = "y" if found["axis"] == "x" else "x"
     yield When(f"velocity of {subject_of(found, heard, subject)} along {other} = 0 m/s", side)
 
@@ -209,7 +209,7 @@ def fraction(found: re.Match[str], heard: Heard, subject: str, side: str) -> Ite
 
 
 def lost_share(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when a fraction of a quantity has been lost, of what it was at the start."""
+    """Yield the moment when a quantity has lost a fraction of its initial value."""
     who, find = subject_of(found, heard, subject), meant(QUANTITIES, found["q"])
     yield When(f"{find} of {who} = {1.0 - float(FRACTIONS[found['times']]):.12g}{TIMES}", side)
 
@@ -224,7 +224,7 @@ def heads(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterat
 
 
 def for_good(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment from which a body stays at rest: its last stop, or after a long time if a medium resists."""
+    """Yield the moment from which a body stays at rest: its last stop, or a late time if a medium resists."""
     who = subject_of(found, heard, subject)
     yield When(f"{who} halted", side)
     yield When(LONG, side, ((who, DIES_AWAY),))
@@ -243,13 +243,13 @@ def turns(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterat
 
 
 def nearest(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when two bodies are closest: of two on the ends of a spring, that of greatest compression."""
+    """Yield the moment when two bodies are closest: if a spring joins them, that of greatest compression."""
     yield from apsis("closest")(found, heard, subject, side)
     yield When("most compressed", side, (("", SPRUNG),), rank=LAST)
 
 
 def most_apart(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment when two bodies are farthest apart: of two on the ends of a spring, when that is longest."""
+    """Yield the moment when two bodies are farthest apart: if a spring joins them, that of greatest extension."""
     yield from apsis("farthest")(found, heard, subject, side)
     yield When("most stretched", side, (("", SPRUNG),), rank=LAST)
 
@@ -263,7 +263,7 @@ def extreme_coordinate(found: re.Match[str], heard: Heard, subject: str, side: s
 
 
 def near_end(found: re.Match[str], heard: Heard, subject: str, side: str) -> Iterator[When]:
-    """Yield the moment at which a body is nearest to the fixed end of its spring, if nothing else acts on it."""
+    """Yield the moment at which a body is nearest to the fixed end of its spring, if only the spring acts on it."""
     who = subject_of(found, heard, subject)
     spring = heard.subject(found["t"])
     ways = ((who, f"{HELD}{spring or FIXED_END}"), ("", CENTRAL))

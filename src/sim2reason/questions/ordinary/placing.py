@@ -1,4 +1,4 @@
-"""Placement of readings in a scene: names of axes, subjects left unsaid, and addresses of the scene's numbers."""
+"""Assignment of readings to a scene: names of axes, implied subjects, and addresses of numbers."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -56,7 +56,7 @@ PERIODS = ("period", "frequency", "angular frequency")
 
 
 def placed(found: tuple[Reading, ...], words: Words, events: Sequence[Event] = ()) -> Iterator[Reading]:
-    """Yield each reading with the scene's names, once for each possible subject where the sentence names no subject.
+    """Yield each reading with the scene's names, once for each possible subject if the sentence names none.
 
     `events` are those of the motion, of which the first collision, or a later one, may be meant.
     """
@@ -85,7 +85,7 @@ def _named_by_scene(when: str, words: Words, events: Sequence[Event]) -> str:
 
 
 def _subjects(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
-    """Return the subjects that a question may mean; none if the named one cannot have the quantity."""
+    """Return the possible subjects of a question; none if the named one cannot have the quantity."""
     if not asked.of:
         return _unsaid(asked, words) or ("",)
     if asked.of == EVERYTHING:
@@ -108,14 +108,14 @@ def _named(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
 
 
 def _together(find: str, words: Words) -> tuple[str, ...]:
-    """Return all subjects of a quantity as one, whose values add up; none if they do not."""
+    """Return all subjects of an additive quantity, joined into one; none for other quantities."""
     every = rubbing(words) if find == HEAT else all_of(find, words) if find in SUMMED else ()
     axles = {turning_axes(words.mechanism, name)[0][0] for name in every if find == AXLE}
     return (PLUS.join(every),) if every and len(axles) < 2 else ()
 
 
 def _unsaid(asked: StructuredQuestion, words: Words) -> tuple[str, ...]:
-    """Return the subjects that may be meant where a sentence names none; none if the scene's only one is."""
+    """Return the possible subjects for a sentence that names none; none if the scene's only one is implied."""
     quantity = QUANTITIES.get(asked.find)
     if quantity is not None and asked.find in ANGULAR:
         return ("", *quantity.subjects(words.mechanism)[:MOST])
@@ -138,7 +138,7 @@ def rubbing(words: Words) -> tuple[str, ...]:
 
 
 def _hung(told: str, words: Words) -> Iterator[str]:
-    """Yield a moment; say an arm's turning point of each body, and a swinging line's turning point of no subject."""
+    """Yield a moment; an arm's turning point once for each body, and that of a swinging line without a subject."""
     bodies = dict.fromkeys(words.called(Bodies()).values())
     arms = [said for said in words.called(TurningBodies()).values() if said not in bodies]
     lines = [said for said in words.called(SwingingLines()).values() if said not in bodies]
@@ -169,7 +169,7 @@ def _met(told: str, words: Words) -> str:
 
 
 def _of_its_kind(asked: StructuredQuestion, words: Words) -> bool:
-    """Return whether a subject that the text names, if one is meant, is one of those that have the quantity."""
+    """Return whether the named subject, if any, has the quantity asked for."""
     quantity = quantities_named(words.mechanism).get(asked.find)
     if quantity is None or asked.of not in words.mentions.values() or quantity.of.name == TurningBodies.name:
         return True  # a light rod turns as what hangs on it
@@ -179,7 +179,7 @@ def _of_its_kind(asked: StructuredQuestion, words: Words) -> bool:
 
 
 def _fits(reading: Reading, words: Words) -> bool:
-    """Return whether something may bring bodies to rest, where a reading takes for granted that they stay at rest."""
+    """Return whether some force may bring bodies to rest, if a reading presumes that they stay at rest."""
     rests = reading.asked.when.endswith("halted") or any(way == RESTS for _, way in reading.gone)
     mechanism = words.mechanism
     rubs = any(face.friction > 0.0 for face in mechanism.faces) or any(c.friction for c in mechanism.contacts.values())
@@ -187,7 +187,7 @@ def _fits(reading: Reading, words: Words) -> bool:
 
 
 def _apsis(asked: StructuredQuestion, words: Words) -> str:
-    """Return the moment of an extreme distance in one of several orbits, which never all repeat; otherwise empty."""
+    """Return the moment of an extreme distance in one of several orbits, which never all repeat; else empty."""
     pulled = {AND.join((pull.a, pull.b)) for pull in words.mechanism.attractions}
     apsides = {"greatest distance": "farthest", "least distance": "closest"}
     return (
@@ -196,7 +196,7 @@ def _apsis(asked: StructuredQuestion, words: Words) -> str:
 
 
 def _pair(asked: StructuredQuestion, told: str, words: Words) -> str:
-    """Return the subject of a question, or the name of the pair that two bodies or a collision of theirs stand for."""
+    """Return the subject of a question, or the name of the pair that two bodies or their collision form."""
     if " & " in asked.of:
         return _met(f"{asked.of} closest", words).removesuffix(" closest")
     if asked.find in COLLISIONS and (not asked.of or asked.of in words.mentions.values()):
@@ -212,7 +212,7 @@ def _pair_of(told: str) -> str:
 
 
 def _collided(told: str, words: Words, events: Sequence[Event]) -> str:
-    """Return a collision of no named pair, or of one body, as the collision of that number in the motion's course."""
+    """Return an unnamed collision, or that of one body, as the named collision with the same number in the motion."""
     found = _COLLISION.fullmatch(told)
     if found is None:
         return told
@@ -231,7 +231,7 @@ def _collided(told: str, words: Words, events: Sequence[Event]) -> str:
 
 
 def _component(told: str, words: Words) -> str:
-    """Return a value that a component reaches with the scene's name of the axis, by default that of the only line."""
+    """Return a value reached by a component, with the scene's name of the axis, by default the only line."""
     found = _ALONG.fullmatch(told)
     if found is None:
         return told
@@ -248,7 +248,7 @@ def _component(told: str, words: Words) -> str:
 
 
 def _on_slope(asked: StructuredQuestion, value: str, words: Words) -> str:
-    """Return a vertical displacement of a body that moves along one sloping line as that along the line; else empty."""
+    """Return a vertical displacement of a body on one sloping line as the displacement along it; else empty."""
     found = addresses(words).get(asked.of, asked.of)
     if asked.find != "displacement" or found not in words.mechanism.body:
         return ""
@@ -260,7 +260,7 @@ def _on_slope(asked: StructuredQuestion, value: str, words: Words) -> str:
 
 
 def _carries(of: str, words: Words) -> bool:
-    """Return whether another body lies on a named body, which makes a contact force on the named body ambiguous."""
+    """Return whether another body rides on a named body, which makes a contact force of the latter ambiguous."""
     named = [name for name, said in words.called(Bodies()).items() if of in (name, said)]
     return any(words.mechanism.body[name].parent in named for name in words.mechanism.contacts)
 

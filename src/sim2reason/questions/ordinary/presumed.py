@@ -1,4 +1,4 @@
-"""Presumptions of a question: a steady quantity, a direction of motion, the stretch after the moment in question."""
+"""Presumptions of a question: a constant quantity, a direction of motion, the interval after the moment."""
 
 from collections.abc import Iterator
 
@@ -33,12 +33,12 @@ from sim2reason.simulation.quantities.subjects.bodies import Bodies
 from sim2reason.simulation.quantities.subjects.paths import center_path
 from sim2reason.simulation.trace import Trace
 
-SOON, LATE = 0.01, 0.9  # of the stretch up to the next event, or to the end of the known motion
+SOON, LATE = 0.01, 0.9  # of the interval up to the next event, or to the end of the known motion
 UP = {"up": 1.0, "down": -1.0}
 
 
 def goes_then(case: Case, way: str) -> bool:
-    """Return whether a body goes up, or down, after an instant, while what is asked for keeps its value."""
+    """Return whether a body moves up, or down, after an instant at which the quantity keeps its value."""
     name, trace, target = named(case.who, case.words), case.followed.study.trace, case.query.target
     began = float(np.nextafter(case.then, np.inf))
     later = [event.time for event in trace.events if event.time > began * (1.0 + EVEN) and event.changes_motion]
@@ -51,7 +51,7 @@ def goes_then(case: Case, way: str) -> bool:
     return moves and all(bool(np.isclose(target.value(state), answer, rtol=STEADY, atol=0.0)) for state in states)
 
 
-EARLY = 0.5  # of a stretch: then it goes the way that it goes
+EARLY = 0.5  # of an interval: by then the direction of motion is established
 AXES = {"up": (0.0, 0.0, 1.0), "down": (0.0, 0.0, -1.0), "right": (1.0, 0.0, 0.0), "left": (-1.0, 0.0, 0.0)}
 
 

@@ -1,4 +1,4 @@
-"""Tests of all that a question may presume, such as that a body is on its way up at the moment asked about."""
+"""Tests of the presumptions of a question, such as that a body is moving up at the moment in question."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -45,7 +45,7 @@ from sim2reason.simulation.rest.equilibrium import equilibrium
 
 
 def _address(said: str, words: Words) -> str:
-    """Return the first address that the text calls by a phrase; empty if there is none."""
+    """Return the first address that a phrase of the text denotes; empty if there is none."""
     return next((address for address, phrase in words.mentions.items() if phrase == said), "")
 
 
@@ -93,7 +93,7 @@ def _drawn(case: Case) -> bool:
 
 
 def borne(who: str, on: str, words: Words) -> bool:
-    """Return whether another body carries a body, or whether a body hangs on a string that runs over a pulley."""
+    """Return whether a body is carried by another one, or hangs on a string that runs over a pulley."""
     mechanism, name = words.mechanism, named(who, words)
     address = _address(on, words)
     if not name:
@@ -123,12 +123,12 @@ def _balanced(case: Case) -> bool:
 
 
 def _rising(case: Case) -> bool:
-    """Return whether a body goes up at the instant asked about, and did not where it had the same value before."""
+    """Return whether a body moves up at the instant in question, but not at earlier ones with the same value."""
     return _vertical(case, case.then) > 0.0 and not _before(case) > 0.0
 
 
 def _falling(case: Case) -> bool:
-    """Return whether a body goes down at the instant asked about, and did not where it had the same value before."""
+    """Return whether a body moves down at the instant in question, but not at earlier ones with the same value."""
     return _vertical(case, case.then) < 0.0 and not _before(case) < 0.0
 
 
@@ -139,7 +139,7 @@ def _vertical(case: Case, time: float) -> float:
 
 
 def _before(case: Case) -> float:
-    """Return the vertical velocity when a value was reached for the first time, m/s; zero if it is that time."""
+    """Return the vertical velocity, m/s, when a value was first reached; zero if that is the instant in question."""
     moment, trace = case.query.moment, case.followed.study.trace
     if not isinstance(moment, Reached) or moment.number == 1:
         return 0.0
@@ -171,7 +171,7 @@ def _stands(case: Case) -> bool:
 
 
 def _central(case: Case) -> bool:
-    """Return whether one spring is all that acts along the path of the only body."""
+    """Return whether a single spring is the only force along the path of the only body."""
     mechanism = case.words.mechanism
     heavy = [body.name for body in mechanism.bodies if body.mass > 0.0]
     rubs = any(contact.friction > 0.0 for contact in mechanism.contacts.values())
@@ -186,7 +186,7 @@ def _swung(who: str, words: Words) -> str:
 
 
 def _across(case: Case) -> bool:
-    """Return whether a body has been lower, on its way, than both where it began and where it is, as what swings has.
+    """Return whether a body has been lower, on its path, than at the start and at present, as on a swing.
 
     What oscillates on a level line has been faster on its way than at both ends of it.
     """
@@ -201,7 +201,7 @@ def _across(case: Case) -> bool:
 
 
 def _free_axle(case: Case) -> bool:
-    """Return whether a pulley is fixed in place, so that no string is tied to its axle."""
+    """Return whether a pulley is fixed, so that no string is tied to its axle."""
     mechanism = case.words.mechanism
     address = _address(case.who, case.words)
     fixed = all(site.body is None for site in mechanism.site.values() if site.name.rpartition(".")[0] == address)
@@ -222,7 +222,7 @@ def _sprung(case: Case) -> bool:
 
 
 def _heads(axis: str, sign: float) -> Callable[[Case], bool]:
-    """Return a test of whether a body moves along an axis, with the given sign, then, and has not done so before."""
+    """Return a test of whether a body moves along an axis with the given sign, for the first time."""
 
     def test(case: Case) -> bool:
         name = named(case.who, case.words)
@@ -241,7 +241,7 @@ def _heads(axis: str, sign: float) -> Callable[[Case], bool]:
 
 
 def _beside(axis: str, sign: float, *, farthest: bool) -> Callable[[Case], bool]:
-    """Return a test of a coordinate at the instant asked about: that it has a sign, or is never farther out."""
+    """Return a test of whether a coordinate has a sign at an instant, or is never farther out."""
 
     def test(case: Case) -> bool:
         name, trace = named(case.who, case.words), case.followed.study.trace

@@ -1,4 +1,4 @@
-"""What a question in ordinary English may take for granted, and how each is tested in a motion."""
+"""Presumptions of a question in ordinary English, and their tests in a motion."""
 
 from collections.abc import Callable, Mapping
 from math import isclose
@@ -53,11 +53,11 @@ from sim2reason.simulation.rest.equilibrium import equilibrium
 
 STEADY, EVEN = 1e-6, 1e-9  # relative
 OF_PLACES = "spring energy", "extension", "spring length", "height above the ground", "distance", "mass", "fuel left"
-LATER = 1.05  # times the end of what is over: so long at least it must have been
+LATER = 1.05  # factor on the end of an interval: least duration of the known motion
 
 
 class Case(NamedTuple):
-    """A case in which to test a presumption: a subject, the motion, the query, and the instant asked about, s."""
+    """A case of a presumption to test: a subject, the motion, the query and the instant, s."""
 
     who: str
     followed: Followed
@@ -67,7 +67,7 @@ class Case(NamedTuple):
 
 
 def named(who: str, words: Words) -> str:
-    """Return the name of the body that a phrase of the text means; empty if there is none."""
+    """Return the name of the body that a phrase of the text denotes; empty if there is none."""
     try:
         return resolved("of", who, words.called(Bodies()))
     except TextError:
@@ -79,7 +79,7 @@ def _falls(mechanism: Mechanism, name: str) -> bool:
 
 
 def alone(force: str, who: str, words: Words) -> bool:
-    """Return whether forces of one kind alone act on a body: magnetic ones, electric ones, or one of gravitation."""
+    """Return whether only one type of force acts on a body: magnetic, electric or one gravitational force."""
     mechanism, name = words.mechanism, named(who, words)
     laws = [found.law for found in mechanism.forces if found.body == name]
     pulls = [pull for pull in mechanism.attractions if name in (pull.a, pull.b)]
@@ -92,7 +92,7 @@ def alone(force: str, who: str, words: Words) -> bool:
 
 
 def _carried_at_rest(case: Case) -> bool:
-    """Return whether what carries a body, if anything does, is at rest at the instant asked about."""
+    """Return whether the carrier of a body, if any, is at rest at the instant in question."""
     name, mechanism = named(case.who, case.words), case.words.mechanism
     if not name:
         return False
@@ -110,7 +110,7 @@ def _aloft(case: Case) -> bool:
 
 
 def _small(case: Case) -> bool:
-    """Return whether nothing swings under gravity."""
+    """Return whether no body swings under gravity."""
     mechanism = case.words.mechanism
     hinges = [c for c in mechanism.coordinates if c.kind == "hinge" and abs(c.axis[2]) < 1.0 - EVEN]
     return mechanism.gravity == ZERO or not hinges or bool(mechanism.contacts)
@@ -235,7 +235,7 @@ def _smooth(case: Case) -> bool:
 
 
 def _fields_alone(case: Case) -> bool:
-    """Return whether nothing but fields and gravitation acts on the bodies of a scene."""
+    """Return whether only fields and gravitation act on the bodies of a scene."""
     mechanism, name = case.words.mechanism, named(case.who, case.words)
     return bool(name) and not _falls(mechanism, name) and not mechanism.lines and not mechanism.contacts
 
@@ -247,14 +247,14 @@ def _one_line(case: Case) -> bool:
 
 
 def _sets_off(case: Case) -> bool:
-    """Return whether a body begins to move at once; without a body named, true."""
+    """Return whether a body begins to move at once; True if no body is named."""
     name, start = named(case.who, case.words), case.followed.study.trace.at(0.0)
     moves = (float(np.linalg.norm(found.evaluate(start, name))) for found in (Velocity, Acceleration) if name)
     return not name or any(size > EVEN for size in moves)
 
 
 def _unmoved(case: Case) -> bool:
-    """Return whether what is asked for depends on places alone, so that it is the same before and after a release."""
+    """Return whether the quantity depends on positions only, so that it is the same before and after release."""
     return case.words.released and case.query.target is not None and case.query.target.quantity in OF_PLACES
 
 

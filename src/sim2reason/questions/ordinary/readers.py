@@ -15,7 +15,7 @@ FREE, STRETCH, MOMENT, CLAUSED, LANDING = "free", "stretch", "moment", "claused"
 
 @dataclass(frozen=True, slots=True)
 class Main:
-    """A meaning of a main clause: the quantity, its subject and axis, the presumed ways, and the implied moment.
+    """A meaning of a main clause: quantity, subject, axis, presumed directions and implied moment.
 
     `needs` says whether the clause asks for a value at a moment, which is steady where no moment is named; for a
     quantity over a stretch of the motion, up to a moment or the whole motion; for a quantity *free* of moments; or for
@@ -36,7 +36,7 @@ Reader = Callable[[re.Match[str], Heard], Iterator[Main]]
 
 
 def each(heard: Heard, token: str | None) -> tuple[str, ...]:
-    """Return the subjects that a token stands for: a single subject, or all members of a joint phrase."""
+    """Return the subjects of a token: a single subject, or all members of a joint phrase."""
     said = heard.subject(token)
     return tuple(said.removeprefix(f"{ALL} ").split(" & ")) if said.startswith(f"{ALL} ") else (said,)
 

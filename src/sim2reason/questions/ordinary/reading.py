@@ -1,4 +1,4 @@
-"""Readings of a question in ordinary English: all structured questions that a sentence may ask."""
+"""Readings of a question in ordinary English, each a structured question."""
 
 import re
 from collections.abc import Callable, Iterator
@@ -70,7 +70,7 @@ _SEVERAL = re.compile(rf"\b{ALL} \S.*? & \S+(?: [A-Z](?= |$))?(?: & \S+ [A-Z](?=
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """A structured question that a sentence may ask, the side of its moment, and its presumptions.
+    """A structured question that a sentence may mean, the side of its moment, and its presumptions.
 
     The presumptions are the ways that bodies have `gone` until the moment and are `moving` at the moment. A `steady`
     reading names no moment: it asks for a value that does not change. A reading of a higher `rank` counts only where
@@ -99,12 +99,12 @@ def readings(heard: Heard) -> tuple[Reading, ...]:
 
 
 def _tells(reading: Reading) -> bool:
-    """Return whether a question about a time asks for one that the question does not itself state."""
+    """Return whether a question for a time does not itself state that time."""
     return reading.asked.find != "time" or not (reading.asked.when.startswith("at ") or reading.asked.when == LONG)
 
 
 def _together(heard: Heard) -> Heard:
-    """Return a sentence with two subjects joined by *and* merged into one, so that the question is asked of both."""
+    """Return a sentence in which two subjects joined by *and* are one, so that the question is asked of both."""
     found = _BOTH.search(heard.text)
     if found is None:
         return heard
@@ -115,7 +115,7 @@ def _together(heard: Heard) -> Heard:
 
 
 def _of_each(reading: Reading) -> Iterator[Reading]:
-    """Yield a reading for each of the several subjects of its moment; a collision stays a single reading."""
+    """Yield a reading for each of several subjects of its moment; a collision remains a single reading."""
     several = _SEVERAL.search(reading.asked.when)
     if several is None or "collided" in reading.asked.when:
         yield reading
@@ -187,7 +187,7 @@ def _of_parts(question: str, clause: str, side: str, heard: Heard) -> Iterator[R
 
 
 def _not_meant(main: Main, when: When, clause: str, side: str) -> bool:
-    """Return whether a main clause and a moment make no question that people ask.
+    """Return whether a main clause and a moment do not form a meaningful question.
 
     Nobody asks for the potential energy in an impact, for an angle of deflection before the collision, or for a sum
     from the start until some time after a later event. An angle *after* an event is not counted from the start.
@@ -202,7 +202,7 @@ def _not_meant(main: Main, when: When, clause: str, side: str) -> bool:
 
 
 def _on_the_way(main: Main, clause: str, side: str, heard: Heard) -> Iterator[Reading]:
-    """Yield readings for a stretch of the way up or down, until the body turns back, or until slipping stops."""
+    """Yield readings for the upward or downward part of a path, until the body turns back or slipping stops."""
     alone = heard.subject("@0@") if len(heard.subjects) == 1 else ""
     adds_up = main.needs == STRETCH or main.find in TURNED
     if side not in (DURING, THEN) or not adds_up or not (main.of or alone):
@@ -227,7 +227,7 @@ def _whole(main: Main) -> Iterator[Reading]:
 
 
 def _to_its_end(main: Main) -> Iterator[Reading]:
-    """Yield readings of an extreme or a sum of a motion that does not repeat itself: up to where nothing new comes."""
+    """Yield readings of an extreme or total of a non-periodic motion, up to the time after which nothing changes."""
     if not main.find.startswith(("greatest", "least", "energy")):
         return
     if not main.find.startswith("energy"):
@@ -238,7 +238,7 @@ def _to_its_end(main: Main) -> Iterator[Reading]:
 
 
 def _late(clause: str) -> bool:
-    """Return whether a clause names an event, not a number: a stretch *after* an event does not begin at the start."""
+    """Return whether a clause names an event rather than a number, so that *after* it is not counted from the start."""
     return "#" not in clause
 
 

@@ -37,7 +37,7 @@ def mass_center(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 
 def amplitude(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the amplitude of a motion to and fro: of a body on a line in metres, of what swings as an angle."""
+    """Yield the amplitude of an oscillation: in metres for a body on a line, as an angle for a swinging one."""
     for of in each(heard, found["s"]):
         yield Main(AMPLITUDE, of, needs=FREE)
         yield Main("greatest deflection", of, needs=FREE)
@@ -109,7 +109,7 @@ def far_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 
 def down(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the vertical velocity of a body that goes sideways as well, presuming that it goes down."""
+    """Yield the vertical velocity of a body that also moves sideways, presuming that it moves down."""
     for of in each(heard, found["s"]):
         yield Main("velocity", of, "vertical", needs=CLAUSED, ways=((of, "down"), (of, SIDEWAYS)))
 

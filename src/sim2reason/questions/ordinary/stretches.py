@@ -1,4 +1,4 @@
-"""Main clauses that ask for a total or an extreme over a stretch of the motion, or for a period."""
+"""Main clauses that ask for a total or an extreme over an interval of the motion, or for a period."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -58,7 +58,7 @@ def _extreme(size: str) -> Reader:
 
 
 def _pairs(size: str) -> Reader:
-    """Return a reader for the greatest or least value of a quantity of two bodies, or of what is named alone."""
+    """Return a reader for the greatest or least value of a quantity of a pair, or of a subject without a pair."""
 
     def read(found: re.Match[str], heard: Heard) -> Iterator[Main]:
         name = meant(QUANTITIES, found.groupdict()["q"])
@@ -113,7 +113,7 @@ def _above_start(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 
 def _keeps_on(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the time for which a body moves one way, until the body turns back."""
+    """Yield the time for which a body moves in one direction, until it turns back."""
     for of in each(heard, found["s"]):
         if ways := ways_of(found, of):
             yield Main("time", needs=FREE, ways=ways, when=When(f"{of} stopped", AFTER))
@@ -135,7 +135,7 @@ def _at_once(*finds: str) -> Reader:
 
 
 def _fall(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the time until a body lands, presuming that it falls all the while."""
+    """Yield the time until a body lands, presuming that it never rises."""
     for main in implied("time", "{s} landed", "{s} bounced")(found, heard):
         yield replace(main, ways=((heard.subject(found["s"]), FALLS),))
 

@@ -1,4 +1,4 @@
-"""Readers of main clauses that ask for energies, work, impulses and numbers of events over a stretch of the motion."""
+"""Readers of main clauses that ask for energies, work, impulses and numbers of events over an interval."""
 
 import re
 from collections.abc import Iterator
@@ -29,7 +29,7 @@ def heat(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 
 def heat_between(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the energy dissipated by friction between a body and what carries it, whichever is named first."""
+    """Yield the energy dissipated by friction between a body and its carrier, named in either order."""
     said = [heard.subject(found[key]) for key in "st"]
     for of, on in (said, said[::-1]):
         main = Main(HEAT, of, ways=((of, f"{ON}{on}"),))

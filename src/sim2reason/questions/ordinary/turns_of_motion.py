@@ -1,4 +1,4 @@
-"""Turns of phrase about slipping, turning, orbits, collisions and the course of a motion, with plainer equivalents."""
+"""Turns of phrase about slipping, turning, orbits, collisions and the course of a motion, and plainer equivalents."""
 
 from collections.abc import Mapping
 

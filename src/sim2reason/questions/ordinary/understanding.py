@@ -1,4 +1,4 @@
-"""Understanding of a question in ordinary English about a motion: all its readings must have the same answer."""
+"""Understanding of a question in ordinary English about a motion: all of its readings must agree in the answer."""
 
 import re
 from dataclasses import replace
@@ -26,15 +26,15 @@ from sim2reason.questions.posing import PosedQuestion, posed
 from sim2reason.questions.structured import StructuredQuestion
 from sim2reason.questions.words import Words
 
-VECTOR = "velocity"  # the only word of English that tells a vector from its size, which is a speed
-SPEEDS = "speed", "speed relative to its carrier"  # which have no sign
+VECTOR = "velocity"  # the only word that distinguishes a vector from its magnitude
+SPEEDS = "speed", "speed relative to its carrier"  # quantities without a sign
 _ORIGIN = re.compile(r"\borigin\b")
 _RESTATED = re.compile(
     r"(?P<one>.+?) ,? ?\(?(?:i\.e\.?|that is(?: to say)?|in other words|or equivalently) ,? ?"
     r"(?P<other>(?:how|what|when|after|at|with|find) [^()]+)\)?"
 )
 """A question that is said a second time in other words."""
-SAME = 1e-6  # relative: answers that differ by less are one
+SAME = 1e-6  # relative: answers that differ by less are equal
 
 
 def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understood | None:
@@ -57,7 +57,7 @@ def understood(sentence: str, motion: FollowedMotion, words: Words) -> Understoo
 
 
 def _meant(heard: Heard, motion: FollowedMotion, words: Words) -> Understood | None:
-    """Return the question that a heard sentence asks, and its answer; None if the sentence is not understood."""
+    """Return the question that a tokenized sentence asks, and its answer; None if it is not understood."""
     found = (
         of_small_oscillations(heard, motion, words, READER)
         or of_blow(heard, motion, words, READER)
@@ -76,7 +76,7 @@ def _meant(heard: Heard, motion: FollowedMotion, words: Words) -> Understood | N
 
 
 def understood_as_it_is(heard: Heard, motion: FollowedMotion, words: Words) -> Understood | None:
-    """Return the question about the scene as it is that a heard sentence asks, and its answer; None if there is none.
+    """Return the question of a tokenized sentence about the unchanged scene, and its answer; None without one.
 
     Raises:
         TextError: the sentence has several readings with different answers, or a presumption of the sentence fails.
@@ -85,25 +85,25 @@ def understood_as_it_is(heard: Heard, motion: FollowedMotion, words: Words) -> U
 
 
 def questions_of(heard: Heard, motion: FollowedMotion, words: Words) -> list[Reading]:
-    """Return all readings of a heard sentence whose subjects and moments the scene has."""
+    """Return all readings of a tokenized sentence whose subjects and moments exist in the scene."""
     events = eventful(motion).study.trace.events if words.mechanism.meetings else ()
     found = [*placed(readings(heard), words, events), *numbers_wanted(heard, motion.study.scene, words)]
     return [each for each in found if _from_origin(each)] if _ORIGIN.search(heard.text) and starts_off(words) else found
 
 
 def starts_off(words: Words) -> bool:
-    """Return whether some body starts elsewhere than at the origin of the axes that the text has."""
+    """Return whether some body does not start at the origin of the text's axes."""
     stated = (each.stated for body in words.mechanism.bodies for each in body.coordinates)
     return any(place is not None and place[1] != 0.0 for place in stated)
 
 
 def _from_origin(reading: Reading) -> bool:
-    """Return whether a reading counts from the origin, and not from where a body starts."""
+    """Return whether a reading counts from the origin rather than from a body's starting point."""
     return any(word in f"{reading.asked.find} {reading.asked.when}" for word in ("origin", "coordinate"))
 
 
 def first_of(questions: list[Reading], motion: FollowedMotion, words: Words) -> Understood | None:
-    """Return the question of the least rank that the scene answers; None if there is none.
+    """Return the question of the lowest rank that the scene answers; None if there is none.
 
     Raises:
         TextError: there are several readings with different answers, or a presumption fails.
@@ -123,7 +123,7 @@ READER = Reader(understood_as_it_is, questions_of, first_of)
 
 
 def _of_rank(questions: list[Reading], motion: FollowedMotion, words: Words) -> tuple[list[Understood], str]:
-    """Return the readings that fit a motion, and why the first unfit reading does not; empty if all readings fit."""
+    """Return the readings that fit a motion, and why the first other one does not; empty if all readings fit."""
     found: list[Understood] = []
     refused = ""
     for reading in questions:
@@ -141,7 +141,7 @@ def _of_rank(questions: list[Reading], motion: FollowedMotion, words: Words) -> 
 
 
 def _posed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> PosedQuestion | None:
-    """Return the posed question, by addresses where the text's phrases name nothing; None if it has no meaning."""
+    """Return the posed question, with addresses in place of unknown phrases; None if it has no meaning."""
     for told in dict.fromkeys((asked, addressed(asked, words), seen_from(asked, words))):
         try:
             return posed(in_numbers(told, motion, words), motion, words)
@@ -151,7 +151,7 @@ def _posed(asked: StructuredQuestion, motion: FollowedMotion, words: Words) -> P
 
 
 def _unfit(reading: Reading, question: PosedQuestion, followed: Followed, words: Words) -> str:
-    """Return why a reading cannot be the meaning of a sentence; empty if the reading can be."""
+    """Return why a reading is not the meaning of a sentence; empty if it may be."""
     if followed.answer is None:
         return ""
     if question.unknown is not None or isinstance(question.query, ThresholdQuery):
@@ -171,7 +171,7 @@ def _unfit(reading: Reading, question: PosedQuestion, followed: Followed, words:
 
 
 def _wrong_end(reading: Reading, question: PosedQuestion) -> str:
-    """Return a message if the least value is asked for and the threshold is the greatest one, or vice versa."""
+    """Return a message if the question asks for the least value but the threshold is a greatest one, or vice versa."""
     query = question.query
     if reading.least is None or not isinstance(query, ThresholdQuery):
         return ""

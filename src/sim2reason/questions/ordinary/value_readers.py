@@ -1,4 +1,4 @@
-"""Readers of main clauses that ask for a value: from what a clause says to all that may be meant."""
+"""Readers of main clauses that ask for a value: each yields all possible meanings of its clause."""
 
 import re
 from collections.abc import Iterator
@@ -203,13 +203,13 @@ def far_vertically(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 
 def signed(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the component of a quantity along the way that a sentence counts as positive."""
+    """Yield the component of a quantity along the direction that a sentence counts as positive."""
     along = "up" if found["way"].startswith("up") else "right"
     yield from (Main(meant(QUANTITIES, found["q"]), of, along) for of in each(heard, found["s"]))
 
 
 def of_orbit(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the period of a body, presuming that the body that it goes round draws it."""
+    """Yield the period of a body, presuming that the body that it orbits attracts it."""
     yield Main(
         "period",
         heard.subject(found["s"]),
@@ -247,13 +247,13 @@ def length_at(turn: str) -> Reader:
 
 
 def along(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the force in a string, rod or spring, which it exerts on a body at its end; none on a pulley between."""
+    """Yield the force in a string, rod or spring on a body at its end; none on a pulley in between."""
     if "pulley" not in heard.subject(found.groupdict().get("t")):
         yield from (Main(force, heard.subject(found["s"])) for force in FORCES)
 
 
 def steep(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the angle of a velocity with the horizontal, presuming that the body goes up or down as told."""
+    """Yield the angle of a velocity with the horizontal, presuming the stated vertical direction."""
     ways = {"above": "up", "below": "down"}
     way = ((heard.subject(found["s"]), ways[found["side"]]),) if found["side"] in ways else ()
     yield Main("angle with the horizontal", heard.subject(found["s"]), needs=CLAUSED, ways=way)
@@ -285,6 +285,6 @@ def potential(found: re.Match[str], heard: Heard) -> Iterator[Main]:
 
 
 def pushes(found: re.Match[str], heard: Heard) -> Iterator[Main]:
-    """Yield the normal force of a body on a face, or the force of a spring, which it exerts on what is at its end."""
+    """Yield the normal force of a body on a face, or the force of a spring on the object at its end."""
     yield from presses(found, heard)
     yield from (Main("spring force", of) for of in each(heard, found["s"]))

@@ -1,4 +1,4 @@
-"""Vocabulary of the reader: tables of the words and phrases that people use in ordinary English.
+"""Vocabulary of the reader: tables of common words and phrases of ordinary English.
 
 Patterns match whole questions in lower-case text without articles, with tokens for subjects (``@0@``) and for numbers
 with their unit (``#0#``). A sentence with a word that no pattern has is not understood, so that no word that could
@@ -277,7 +277,7 @@ def _macro(name: str) -> str:
 
 @cache
 def pattern(told: str) -> re.Pattern[str]:
-    """Return the compiled regular expression of a template, in which a name in capitals stands for a table's words.
+    """Return the compiled regular expression of a template in which names in capitals stand for a table's words.
 
     ``{s}`` and ``{t}`` are subjects, ``{n}`` is a number with its unit; ``{way=WAY}`` is a named group of a table.
     Text in square brackets is optional, and ``~`` stands for any auxiliaries.
@@ -291,5 +291,5 @@ def pattern(told: str) -> re.Pattern[str]:
 
 @cache
 def compiled(told: str) -> re.Pattern[str]:
-    """Return a compiled regular expression; `re` itself keeps too few for the tables of wordings."""
+    """Return a compiled regular expression, cached without the size limit of `re`."""
     return re.compile(told)

@@ -1,4 +1,4 @@
-"""Questions for a number of the scene that leads to a result or decides an outcome."""
+"""Questions for a number of the scene that leads to a given result or decides about an outcome."""
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
@@ -96,7 +96,7 @@ _AT_TIME = "[{t} ]~(?P<clause>.+?) (?:after|at t =) {n}"
 
 @dataclass(frozen=True, slots=True)
 class WantedNumber:
-    """A number of the scene that a sentence asks for: its name, its owner, and the result that it leads to.
+    """A number of the scene that a sentence asks for: its name, its owner, and the result to which it leads.
 
     The result `given`, such as *velocity = 2 m/s*, holds for the subject `of` at the moment `when`. A number that
     decides an outcome has the outcome `does` of that subject instead, whether the outcome `happens`, and whether the
@@ -208,7 +208,7 @@ def numbers_wanted(heard: Heard, scene: Scene, words: Words) -> Iterator[Reading
 
 
 def _balanced(path: str, of: str, words: Words) -> Iterator[Reading]:
-    """Yield readings that ask for the number with which a body, or each, is not accelerated; none on rough faces."""
+    """Yield readings that ask for the number with which a body, or each, has no acceleration; none on rough faces."""
     if rubs(words):
         return  # within a whole range of numbers
     alone = addresses(words).get(of)
@@ -216,7 +216,7 @@ def _balanced(path: str, of: str, words: Words) -> Iterator[Reading]:
 
 
 def rubs(words: Words) -> bool:
-    """Return whether a body lies on a rough face, unless it rolls there."""
+    """Return whether a body that does not roll lies on a rough face."""
     contacts = words.mechanism.contacts
     return any(contact.friction > 0.0 and not rolls(words, name) for name, contact in contacts.items())
 
@@ -232,7 +232,7 @@ def without_acceleration(path: str, names: Iterable[str], words: Words) -> Itera
 
 
 def _path(found: WantedNumber, scene: Scene, words: Words) -> str:
-    """Return the address of the number that a sentence asks for; empty unless exactly one number of the scene fits."""
+    """Return the address of the number that a sentence asks for; empty unless exactly one number matches."""
     given = [p.path for p in scene.parameters if p.value is not None and not p.hidden]
     owners = [address for address, said in words.mentions.items() if said == found.owner]
     named = [path for path in given if path.rpartition(".")[2] == found.name]

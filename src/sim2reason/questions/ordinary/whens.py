@@ -1,4 +1,4 @@
-"""Moments in questions, the split of a sentence at them, and subjects that a sentence implies."""
+"""Moments in questions, the splitting of a sentence at them, and implied subjects."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -21,7 +21,7 @@ EVERYTHING = "everything"  # all subjects of a quantity together
 
 
 def addresses(words: Words) -> Mapping[str, str]:
-    """Return the name of a body by each phrase of the text that means that body alone; a pulley by its carrier."""
+    """Return the name of a body by each phrase that denotes it alone; a pulley by its carrier."""
     mechanism, found = words.mechanism, dict[str, str]()
     phrases = list(words.mentions.values())
     for address, said in words.mentions.items():
@@ -33,7 +33,7 @@ def addresses(words: Words) -> Mapping[str, str]:
 
 
 def addressed(asked: StructuredQuestion, words: Words) -> StructuredQuestion:
-    """Return a question with addresses in place of all phrases that mean one body; unchanged if it has none."""
+    """Return a question with addresses in place of phrases that denote one body."""
     of, when = asked.of, asked.when
     for said, name in addresses(words).items():
         of = name if of == said else of
@@ -91,7 +91,7 @@ _LATER = re.compile(r"(?:^|(?<= ))#\d+# (?=after )")
 
 @dataclass(frozen=True, slots=True)
 class When:
-    """A moment as a structured question names it, the side of the moment, and the presumed ways of bodies until then.
+    """A moment by name, the side of the moment, and the presumed directions of bodies until then.
 
     `told` is empty for the whole motion. `ways` has the subject and *up*, *down*, … of each presumption. A moment of a
     higher `rank` counts only where the scene has none of a lower rank.
@@ -129,7 +129,7 @@ def split(text: str) -> Iterator[tuple[str, str, str]]:
 
 
 def ways_of(found: re.Match[str], who: str) -> tuple[tuple[str, str], ...]:
-    """Return the ways in which a subject moves, as told by the matched verb and the words beside that verb."""
+    """Return the directions in which a subject moves, as given by the matched verb and adjacent words."""
     groups = found.groupdict()
     verb = meant(MOTIONS, groups["motion"], " ") if groups.get("motion") else ""
     told = {UP: ("up",), DOWN: ("down",), ROLL: (ROLLING,)}.get(verb, ())

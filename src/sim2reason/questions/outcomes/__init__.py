@@ -1,4 +1,4 @@
-"""Outcomes: what a motion does or does not do, so that a question can ask for the threshold between the two."""
+"""Outcomes: events that occur or do not occur in a motion, with a threshold in between."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
@@ -15,18 +15,18 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.quantities.subjects import Subject
 from sim2reason.simulation.trace import Trace
 
-ONSET = 0.01  # of the horizon: how long it takes to see what a release brings about
-NOTHING = 1e-12  # of g times the time: less is a slip of numbers; of what is at rest engines leave 1e-15
+ONSET = 0.01  # of the horizon: time that shows the result of a release
+NOTHING = 1e-12  # of g times the time: smaller velocities are rounding; engines leave 1e-15 for a body at rest
 
 
 @dataclass(frozen=True, slots=True)
 class PossibleOutcome(ABC):
-    """What one subject does or does not do.
+    """The base class of outcomes: something that one subject does or does not do.
 
     Class data:
         of: the kind of subject.
-        tells: on which side of where the outcome changes the motion tells how far that is: where it happens, or not.
-        drawn_by_recipes: whether recipes ask about it; if not, only people do.
+        tells: the side of the threshold on which `excess` is defined: with the outcome (True) or without it.
+        drawn_by_recipes: whether recipes ask about the outcome; if not, only people do.
     """
 
     drawn_by_recipes: ClassVar[bool] = True
@@ -42,67 +42,67 @@ class PossibleOutcome(ABC):
 
     @classmethod
     def parsed(cls, text: str, words: Words) -> Iterator[Self]:
-        """Return every subject that is named."""
+        """Yield the outcome for every subject that a sentence names."""
         return (cls(name) for name, phrase in cls.candidates(words).items() if phrase in text)
 
     @classmethod
     @abstractmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Return the subjects that may do it, by name, as the text calls them."""
+        """Return the possible subjects, with their phrases."""
 
     @abstractmethod
     def duration(self, scene: Scene) -> float:
-        """Return how long a motion must be followed to see it, s, as a rule."""
+        """Return the usual duration, s, of a motion that shows the outcome."""
 
     @abstractmethod
     def happens(self, trace: Trace) -> bool | None:
-        """Return whether it does it in a motion of any engine; None if that must be followed for longer."""
+        """Return whether the outcome occurs in a motion; None if only a longer motion can show it."""
 
     def excess(self, trace: Trace) -> float | None:
-        """Return what goes to zero evenly towards where the outcome changes, in a motion that `tells`; by default none.
+        """Return a function of the motion that goes to zero at the threshold, on the side that `tells`; else None.
 
-        It only saves trials: whether the outcome happens decides where it changes.
+        It only speeds up the search; the outcome itself decides about the threshold.
         """
         del trace
 
     @abstractmethod
     def does(self, words: Words) -> tuple[str, ...]:
-        """Clauses that it does: *A slips on B*."""
+        """Return the clauses for an occurrence: *A slips on B*."""
 
     @abstractmethod
     def does_not(self, words: Words) -> tuple[str, ...]:
-        """Clauses that it does not: *A stays at rest on B*."""
+        """Return the clauses for its absence: *A stays at rest on B*."""
 
     def subject(self, words: Words) -> str:
-        """Return how a question calls it."""
+        """Return the phrase for the subject."""
         return self.candidates(words)[self.name]
 
 
 @dataclass(frozen=True, slots=True)
 class Swinging(PossibleOutcome):
-    """What swings does, so that it shows in part of a swing or in some, and is followed until it does."""
+    """The base class of outcomes of swings, which show within a few of them."""
 
     def duration(self, scene: Scene) -> float:
-        """Return a part of the horizon, which is that of some swings."""
+        """Return a fraction of the horizon, s."""
         return scene.horizon / 4.0
 
 
 @dataclass(frozen=True, slots=True)
 class Onset(PossibleOutcome):
-    """What a release brings about at once, or never, since no force changes."""
+    """The base class of outcomes of a release, which show at once, as no force changes."""
 
     def duration(self, scene: Scene) -> float:
-        """Return a moment."""
+        """Return a short time, s."""
         return ONSET * scene.horizon
 
 
 def rest_speed_noise(trace: Trace) -> float:
-    """Up to which speed what is at rest may seem to move in a motion, m/s."""
+    """Return the largest apparent speed, m/s, of a body at rest in a motion."""
     return NOTHING * float(np.linalg.norm(trace.mechanism.gravity)) * float(trace.state.times[-1])
 
 
 def is_steady_release(words: Words) -> bool:
-    """Return whether all starts from rest, and what it does at first it goes on doing."""
+    """Return whether all bodies start from rest and no force changes, so that the initial behaviour persists."""
     mechanism: Mechanism = words.mechanism
     return words.released and not changing(mechanism)
 

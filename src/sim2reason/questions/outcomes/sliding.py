@@ -1,4 +1,4 @@
-"""Outcomes for what rests: it slides, slips or tips over."""
+"""Outcomes for bodies at rest: sliding, slipping and tipping over."""
 
 from dataclasses import dataclass
 from math import isfinite
@@ -25,13 +25,13 @@ from sim2reason.simulation.trace import Trace
 @OUTCOMES.register("slides")
 @dataclass(frozen=True, slots=True)
 class Slides(Onset):
-    """A body slips on the face on which it lies at rest."""
+    """The outcome that a body slips on the face on which it is at rest."""
 
     of = Contacts()
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Return what lies on a rough face and does not roll."""
+        """Return the bodies on rough faces that do not roll, with their phrases."""
         if not is_steady_release(words):
             return {}
         contacts = words.mechanism.contacts
@@ -39,11 +39,11 @@ class Slides(Onset):
         return {n: said for n, said in called if contacts[n].friction > 0.0 and not rolls(words, n)}
 
     def happens(self, trace: Trace) -> bool:
-        """Return whether it has a velocity on its face."""
+        """Return whether the body moves on its face."""
         return self.excess(trace) > 0.0
 
     def excess(self, trace: Trace) -> float:
-        """Return the fastest that it slips, but for what is none."""
+        """Return the greatest speed of slip, m/s, less rounding noise."""
         return float(np.abs(slip(trace.state, self.name)).max()) - rest_speed_noise(trace)
 
     def does(self, words: Words) -> tuple[str, ...]:
@@ -67,13 +67,13 @@ ROUNDING = 1e-9  # m/s
 @OUTCOMES.register("slips_rolling")
 @dataclass(frozen=True, slots=True)
 class SlipsRolling(PossibleOutcome):
-    """A round body that could roll slips on its face; where its centre of mass is its centre, at once or never."""
+    """The outcome that a body that could roll slips on its face."""
 
     of = Contacts()
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Return what may roll on a face that is rough, but not so rough that nothing ever slips."""
+        """Return the bodies that may roll on faces with finite friction, with their phrases."""
         mechanism = words.mechanism
         return {
             name: said
@@ -86,15 +86,15 @@ class SlipsRolling(PossibleOutcome):
         }
 
     def duration(self, scene: Scene) -> float:
-        """Return the horizon."""
+        """Return the horizon, s."""
         return scene.horizon
 
     def happens(self, trace: Trace) -> bool:
-        """Return whether it ever slips."""
+        """Return whether the body ever slips."""
         return self.excess(trace) > 0.0
 
     def excess(self, trace: Trace) -> float:
-        """Return the fastest that it slips, but for what is none."""
+        """Return the greatest speed of slip, m/s, less rounding noise."""
         return float(np.abs(slip(trace.state, self.name)).max()) - rest_speed_noise(trace)
 
     def does(self, words: Words) -> tuple[str, ...]:
@@ -114,13 +114,13 @@ def _slip_at_start(mechanism: Mechanism, name: str) -> float:
     return sum(factor * speeds[coordinate] for coordinate, factor in mechanism.contacts[name].slip)
 
 
-STANDS = 1e-9  # m: the height above the plane of an edge that stands on it
+STANDS = 1e-9  # m: largest height above the plane of an edge in contact with it
 
 
 @OUTCOMES.register("tips_over")
 @dataclass(frozen=True, slots=True)
 class TipsOver(Swinging):
-    """A body that is set turning about its edge lands on its next face; only people ask about it."""
+    """The outcome that a body set turning about an edge lands on its next face; never drawn by recipes."""
 
     of = Bodies()
     drawn_by_recipes = False
@@ -144,7 +144,7 @@ class TipsOver(Swinging):
         return float(np.dot(foot.normal, place)) - foot.height > STANDS
 
     def excess(self, trace: Trace) -> float:
-        """Return the square of the least rate of turning until the first edge lands, rad²/s²."""
+        """Return the square of the least angular speed until the first edge lands, rad²/s²."""
         landed = next((event.time for event in trace.events if event.kind == "land"), float(trace.state.times[-1]))
         hinges = [n for n, c in enumerate(trace.mechanism.coordinates) if c.kind == "hinge" and c.body == self.name]
         scan = trace.until(float(np.nextafter(landed, 0.0))).scan

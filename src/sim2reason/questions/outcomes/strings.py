@@ -1,4 +1,4 @@
-"""Outcomes for bodies on strings, and for swings."""
+"""Outcomes for bodies on strings and for swinging bodies."""
 
 from dataclasses import dataclass
 from math import inf
@@ -15,26 +15,26 @@ from sim2reason.simulation.quantities.subjects.paths import center_path, rides, 
 from sim2reason.simulation.quantities.subjects.rods import SwingingLines
 from sim2reason.simulation.trace import Trace
 
-BOTH = 2  # sides at which what swings is when it no longer moves to the left or right
+BOTH = 2  # turning points, left and right, of a swing that does not go round
 
 
 @OUTCOMES.register("goes_slack")
 @dataclass(frozen=True, slots=True)
 class GoesSlack(Swinging):
-    """The string of a pendulum goes slack, in its first swings or never."""
+    """The outcome that the string of a pendulum goes slack within its first swings."""
 
     of = SwingingLines()
     tells = False
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Strings that swing."""
+        """Return the swinging strings, with their phrases."""
         lines = words.mechanism.line
         called = words.called(cls.of).items()
         return {n: said for n, said in called if n in lines and isinstance(lines[n].law, Inextensible)}
 
     def happens(self, trace: Trace) -> bool | None:
-        """Return whether there is such an event; no once it has swung to both sides, or gone round."""
+        """Return whether the string goes slack; False once the body has swung to both sides or gone round."""
         if any(event.kind == "slack" and event.subjects[0] == self.name for event in trace.events):
             return True
         level = {c.name for c in trace.mechanism.coordinates if c.axis[2] == 0.0}
@@ -42,7 +42,7 @@ class GoesSlack(Swinging):
         return False if sides >= BOTH else None
 
     def excess(self, trace: Trace) -> float:
-        """Return the least tension."""
+        """Return the least tension, N."""
         return float(trace.scan.tension[self.name].min())
 
     def does(self, words: Words) -> tuple[str, ...]:
@@ -59,7 +59,7 @@ class GoesSlack(Swinging):
 @OUTCOMES.register("lifts_off")
 @dataclass(frozen=True, slots=True)
 class LiftsOff(Onset):
-    """The outcome that a body with an engine rises from the ground at once; only people ask about it."""
+    """The outcome that a body with an engine rises from the ground at once; never drawn by recipes."""
 
     of = Bodies()
     drawn_by_recipes = False
@@ -91,13 +91,13 @@ class LiftsOff(Onset):
 @OUTCOMES.register("rises")
 @dataclass(frozen=True, slots=True)
 class Rises(Onset):
-    """A body that can move up and down along a line starts upwards."""
+    """The outcome that a body starts to move up its line."""
 
     of = Bodies()
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """What has one line to move along that is not level, and rides on nothing, where something could lift it."""
+        """Return the bodies that can move along one line, which is not level, and that something could lift."""
         mechanism = words.mechanism
         if not is_steady_release(words) or not (mechanism.lines or mechanism.forces):
             return {}
@@ -106,11 +106,11 @@ class Rises(Onset):
         return {n: said for n, said in called if paths[n].straight and paths[n].rises and not rides(mechanism, n)}
 
     def happens(self, trace: Trace) -> bool:
-        """Return whether it has an upward velocity."""
+        """Return whether the body moves upwards."""
         return self.excess(trace) > 0.0
 
     def excess(self, trace: Trace) -> float:
-        """Return that velocity, but for what is none."""
+        """Return the upward velocity, m/s, less rounding noise."""
         return float(Velocity.evaluate(trace.state, self.name)[-1, 2]) - rest_speed_noise(trace)
 
     def does(self, words: Words) -> tuple[str, ...]:
@@ -129,7 +129,7 @@ class Rises(Onset):
 @OUTCOMES.register("sinks")
 @dataclass(frozen=True, slots=True)
 class Sinks(Onset):
-    """A body that can move up and down along a line starts downwards; only people ask about it."""
+    """The outcome that a body starts to move down its line; never drawn by recipes."""
 
     of = Bodies()
     drawn_by_recipes = False
@@ -144,7 +144,7 @@ class Sinks(Onset):
         return self.excess(trace) > 0.0
 
     def excess(self, trace: Trace) -> float:
-        """Return the downward velocity, m/s, less what is none."""
+        """Return the downward velocity, m/s, less rounding noise."""
         return -float(Velocity.evaluate(trace.state, self.name)[-1, 2]) - rest_speed_noise(trace)
 
     def does(self, words: Words) -> tuple[str, ...]:
@@ -156,13 +156,13 @@ class Sinks(Onset):
         return (f"{self.subject(words)} does not start to move down",)
 
 
-STILL = 1e-3  # of its greatest speed: what is slower where it goes neither up nor down turns back
+STILL = 1e-3  # of the greatest speed: a slower body without vertical motion turns back
 
 
 @OUTCOMES.register("circles")
 @dataclass(frozen=True, slots=True)
 class Circles(Swinging):
-    """The outcome that a body on a string swings right round with the string always taut; only people ask about it."""
+    """The outcome that a body on a taut string swings right round; never drawn by recipes."""
 
     of = SwingingLines()
     tells = False
@@ -170,7 +170,7 @@ class Circles(Swinging):
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Return the strings of bodies that are set moving; none of those released, as no body falls over the top."""
+        """Return the strings of bodies set moving, with their phrases; a released body never gets over the top."""
         return {} if words.released else GoesSlack.candidates(words)
 
     def happens(self, trace: Trace) -> bool | None:
@@ -204,20 +204,20 @@ FULL = 360.0  # degrees
 @OUTCOMES.register("goes_round")
 @dataclass(frozen=True, slots=True)
 class GoesRound(Swinging):
-    """A rod or another body on an axle goes right round."""
+    """The outcome that a rod or another body on an axle goes right round."""
 
     of = TurningBodies()
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """What swings under gravity on one axle, and is set moving; by falling alone nothing gets over the top."""
+        """Return the bodies on one axle that swing under gravity and are set moving, with their phrases."""
         if not any(words.mechanism.gravity) or words.mechanism.feet or words.released:
             return {}
         turning = AngleTurned().subjects(words.mechanism)
         return {name: said for name, said in words.called(cls.of).items() if name in turning}
 
     def happens(self, trace: Trace) -> bool | None:
-        """Whether it has gone round before it turns back first, which takes long where it hardly gets over the top."""
+        """Return whether the body goes round before it turns back; None if that takes longer."""
         hinges = {name for name, _ in turning_axes(trace.mechanism, self.name)}
         back = next(
             (event.time for event in trace.events if event.kind == "turn" and event.subjects[0] in hinges), None
@@ -227,7 +227,7 @@ class GoesRound(Swinging):
         return round_once or (None if back is None else False)
 
     def excess(self, trace: Trace) -> float:
-        """The square of the least rate at which it turns: it grows as the energy that is left at the top does."""
+        """Return the square of the least angular speed, which is linear in the energy left at the top."""
         number = trace.mechanism.number
         hinges = [number[name] for name, _ in turning_axes(trace.mechanism, self.name)]
         return float(np.square(trace.scan.v[:, hinges].sum(axis=1)).min())

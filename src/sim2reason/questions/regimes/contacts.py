@@ -20,14 +20,14 @@ from sim2reason.simulation.quantities.subjects.contacts import Contacts
 from sim2reason.simulation.quantities.subjects.pairs import AND, Pairs
 from sim2reason.text.prose.phrases import join
 
-MOST = 3  # collisions that a clause lists
-ORDERS = 100  # of so many: where more are possible, shorter lists are looked at alone
+MOST = 3  # greatest number of collisions in a clause
+ORDERS = 100  # greatest number of sequences; if there are more, only shorter ones are considered
 
 
 @REGIMES.register("collisions")
 @dataclass(frozen=True, slots=True)
 class CollideInTurn(Regime):
-    """Some collisions come before the moment that is asked about, in this order, and no other does."""
+    """The assumption that exactly these collisions occur, in this order, before the moment of the question."""
 
     of = Pairs()
     stage = 2
@@ -36,22 +36,22 @@ class CollideInTurn(Regime):
 
     @classmethod
     def possible(cls, study: Study, words: Words) -> Sequence[Self]:
-        """Return all short lists of those for which the text has words."""
+        """Return the regimes of all short sequences of collisions with words in the text."""
         met = [names for names in _meetings(study.mechanism) if _said(names, words)]
         lengths = [n for n in range(MOST + 1) if len(met) ** n <= ORDERS] if met else []
         return [cls("", order) for n in lengths for order in product(met, repeat=n)]
 
     def holds(self, study: Study, until: float) -> bool:
-        """Return whether just these come there."""
+        """Return whether exactly these collisions occur by then."""
         came = [subjects for kind, subjects in study.trace.story(until) if kind == "collision"]
         return [*map(set, came)] == [*map(set, self.order)]
 
     def always_told(self, study: Study) -> bool:
-        """Where more than two may meet, or two have met: symbols of places and velocities do not say who meets whom."""
+        """Return True if more than two bodies can collide or two have, as formulas do not show the partners."""
         return len(_meetings(study.mechanism)) > 1 or any(len(names) > 1 for names in self.order)
 
     def clause(self, words: Words) -> str:
-        """As in: the only collision before then is between balls A and B; it follows the question."""
+        """Return a clause such as *the only collision before then is between balls A and B*."""
         said = [_said(names, words) for names in self.order]
         if not said:
             return "there is no collision before then"
@@ -64,12 +64,12 @@ class CollideInTurn(Regime):
 
 
 def _meetings(mechanism: Mechanism) -> list[tuple[str, ...]]:
-    """Return who can meet whom, or what is fixed."""
+    """Return the pairs of bodies that can collide, and the single ones that can hit a fixed obstacle."""
     return list(dict.fromkeys(meeting.names for meeting in mechanism.meetings))
 
 
 def _said(names: Sequence[str], words: Words) -> str:
-    """Between whom a collision is; empty where the text has none, or none that tells it from another one."""
+    """Return the phrase for the partners of a collision; empty if the text has no unique one."""
     if len(names) > 1:
         found = words.called(Pairs()).get(AND.join(names), "")
         return found and f"between {found}"
@@ -79,20 +79,20 @@ def _said(names: Sequence[str], words: Words) -> str:
 
 
 STILL = 1e-9  # m/s
-LEVEL = 1e-9  # of a way's steepness: less is rounding
-LASTING = 1e-9  # of that time
+LEVEL = 1e-9  # of the steepness of a direction: smaller values are level
+LASTING = 1e-9  # of the time asked about: shorter intervals are rounding
 Course = tuple[int, ...]
 """1 and -1: a stretch of the one way and of the other, as the slip counts."""
 COURSES: tuple[Course, ...] = ((1,), (-1,), (1, -1), (-1, 1))
-SOON = 1e-3  # of the time that is asked about, or s: by when what is released has begun to slide
+SOON = 1e-3  # of the time asked about, or s: time in which a released body begins to slide
 
 
 @REGIMES.register("sliding")
 @dataclass(frozen=True, slots=True)
 class SlidesThroughout(Regime):
-    """A body slides on a rough face from the start on, or never does.
+    """The assumption that a body slides on a rough face from the start on, or never does.
 
-    Where words tell its way, it turns back at most once.
+    A body whose direction is in words turns back at most once.
     """
 
     of = Contacts()
@@ -103,7 +103,7 @@ class SlidesThroughout(Regime):
 
     @classmethod
     def possible(cls, study: Study, words: Words) -> Sequence[Self]:
-        """Either, of every body on a rough face, and if it slides, each course that there are words for."""
+        """Return the regimes of both alternatives for every body on a rough face, with its directions of slip."""
         mechanism = study.mechanism
         rough = [name for name in words.called(cls.of) if mechanism.contacts[name].friction > 0.0]
         slides = [
@@ -114,12 +114,12 @@ class SlidesThroughout(Regime):
         return [*slides, *(cls(name, slides=False) for name in rough)]
 
     def holds(self, study: Study, until: float) -> bool:
-        """Return whether it is so there."""
+        """Return whether the body slides, or sticks, throughout."""
         found = _slides(study, self.name, until)
         return found[0] is self.slides and (found[1] == self.course or not _ways(study.mechanism, self.name))
 
     def margin(self, study: Study, until: float) -> float | None:
-        """The velocity with which what slides does so then, or soon, along its way, as a share of that of free fall."""
+        """Return the slip velocity at the end, or early on, relative to that of free fall; None without slip."""
         if not self.slides:
             return None
         end = max(_soon(study, until), until)
@@ -128,11 +128,11 @@ class SlidesThroughout(Regime):
         return size / ((float(np.linalg.norm(study.mechanism.gravity)) * end) or 1.0)
 
     def clause(self, words: Words) -> str:
-        """As in: block A slides to the right on the plank; what may roll does so where it touches its face.
+        """Return a clause such as *block A slides to the right on the plank*.
 
-        What is not released at rest may slide for a while only: it keeps sliding. One that turns back has done so by
-        the end: block A first slides up the slope, turns back once and is sliding down it by then. Of what rolls, only
-        the slip reverses.
+        A body that is not released from rest *keeps sliding*. A body that turns back has done so by the end: *block A
+        first slides up the slope, turns back once and is sliding down it by then*. A rolling body only reverses its
+        slip.
         """
         surface, called = words.fills(self.of, self.name)["surface"], words.called(self.of)[self.name]
         rolls = len(words.mechanism.contacts[self.name].slip) > 1
@@ -148,7 +148,7 @@ class SlidesThroughout(Regime):
 
 
 def _ways(mechanism: Mechanism, name: str) -> dict[int, str]:
-    """How a body may slide on its face, before the face's name, by the sign of its slip; empty if no words say it."""
+    """Return the words for the directions of a body's slip by sign; empty if the text has none."""
     slides = [
         (held, factor)
         for coordinate, factor in mechanism.contacts[name].slip
@@ -167,7 +167,7 @@ def _ways(mechanism: Mechanism, name: str) -> dict[int, str]:
 
 
 def _slides(study: Study, name: str, until: float) -> tuple[bool | None, Course]:
-    """Return whether it slides throughout, if only to and fro; None if it does for a while. And its course."""
+    """Return whether the body slides throughout, None if only for a time; and its sequence of directions."""
     soon = _soon(study, until)
     scan = study.trace.scan
     within = (scan.times > soon) & (scan.times < until)
@@ -184,5 +184,5 @@ def _slides(study: Study, name: str, until: float) -> tuple[bool | None, Course]
 
 
 def _soon(study: Study, until: float) -> float:
-    """By when what is released has begun to slide, s."""
+    """Return the time, s, by which a released body has begun to slide."""
     return min(SOON * (until or 1.0), float(study.trace.state.times[-1]))

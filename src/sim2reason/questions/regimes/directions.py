@@ -34,7 +34,7 @@ RIGHT_ANGLE = 90.0  # degrees
 @REGIMES.register("acute")
 @dataclass(frozen=True, slots=True)
 class StartsAcute(Regime):
-    """A line makes an acute angle with the downward vertical at the start, though another one could be stated."""
+    """The assumption that a line makes an acute angle with the downward vertical at the start."""
 
     of = SwingingLines()
     stage = 0
@@ -42,13 +42,13 @@ class StartsAcute(Regime):
 
     @classmethod
     def possible(cls, study: Study, words: Words) -> Sequence[Self]:
-        """Strings, springs and the rods of bobs: which way an arm with several pieces points, their masses say too."""
+        """Return the regimes of strings, springs and rods; none of arms, as their masses also show the direction."""
         held = study.mechanism.body
         extended = {name for name, body in held.items() if not body.mass or any(body.inertia)}
         return [cls(name) for name in words.called(cls.of) if name not in extended]
 
     def holds(self, study: Study, until: float) -> bool:
-        """Return whether it is so in another motion."""
+        """Return whether the initial angle is acute in a motion."""
         del until
         return deflection_at_start(study.trace.at(0.0), self.name) < RIGHT_ANGLE
 
@@ -57,13 +57,13 @@ class StartsAcute(Regime):
         return f"{words.called(self.of)[self.name]} makes an acute angle with the downward vertical at the start"
 
 
-APART = 1e-6  # degrees: less is no other angle
+APART = 1e-6  # degrees: smaller differences are rounding
 
 
 @REGIMES.register("beyond_start")
 @dataclass(frozen=True, slots=True)
 class DeflectedBeyondStart(Regime):
-    """A line makes a larger angle with the vertical than at the start, or a smaller one, when something is asked."""
+    """The assumption that a line makes a larger, or a smaller, angle with the vertical than at the start."""
 
     of = SwingingLines()
     stage = 2
@@ -72,31 +72,31 @@ class DeflectedBeyondStart(Regime):
 
     @classmethod
     def possible(cls, study: Study, words: Words) -> Sequence[Self]:
-        """Either, of every line, where the question has a symbol for an angle: symbols do not say which is larger."""
+        """Return both alternatives for every line if the question has a symbol for an angle; else none."""
         del study
         return [cls(name, larger) for name in words.called(cls.of) for larger in (True, False) if "deg" in words.own]
 
     def holds(self, study: Study, until: float) -> bool:
-        """Return whether it is so then; not where a slack string points nowhere."""
+        """Return whether the angle is larger, or smaller, at the time; False for a slack string."""
         state = study.trace.at(until)
         more = float(Deflection.evaluate(state, self.name)[0]) - deflection_at_start(state, self.name)
         return more > APART if self.larger else more < -APART
 
     def clause(self, words: Words) -> str:
-        """As in: the string then makes a larger angle with the downward vertical than at the start."""
+        """Return a clause such as *the string then makes a larger angle with the vertical than at the start*."""
         size = "larger" if self.larger else "smaller"
         line = words.called(self.of)[self.name]
         return f"{line} then makes a {size} angle with the downward vertical than at the start"
 
 
-STILL = 1e-9  # of the greatest speed: less is none
-LASTING = 1e-9  # of the time that is asked about: what turns back stands still for less
+STILL = 1e-9  # of the greatest speed: lower speeds are rest
+LASTING = 1e-9  # of the time asked about: a reversing body is at rest for less
 
 
 @REGIMES.register("direction")
 @dataclass(frozen=True, slots=True)
 class MovesOneWay(Regime):
-    """A body moves one way along a line, or is about to, where no force that changes may turn it back."""
+    """The assumption that a body moves in one direction along a line, or is about to."""
 
     of = Bodies()
 
@@ -105,21 +105,21 @@ class MovesOneWay(Regime):
 
     @classmethod
     def possible(cls, study: Study, words: Words) -> Sequence[Self]:
-        """Either way, of every body whose line has a sense in words."""
+        """Return both directions for every body whose line has a direction in words."""
         senses = [(name, sense) for name in words.called(cls.of) for sense in _senses(study, name)]
         return [cls(name, sense.positive, ahead) for name, sense in senses for ahead in (True, False)]
 
     def holds(self, study: Study, until: float) -> bool:
-        """Return whether it moves that way there."""
+        """Return whether the body moves in that direction throughout."""
         return (until > 0.0 or not changing(study.mechanism)) and self.begins(study, until)
 
     def begins(self, study: Study, until: float = 0.0) -> bool:
-        """Return whether it moves that way up to a time, s, whatever it does later."""
+        """Return whether the body moves in that direction at a time, s, whatever it does later."""
         sense = next((s for s in _senses(study, self.name) if s.positive == self.positive), None)
         return sense is not None and _side(study, self.name, sense.vector, until) == (1 if self.ahead else -1)
 
     def margin(self, study: Study, until: float) -> float | None:
-        """Return the velocity that way then, or the acceleration at the start, as a share of what free fall has."""
+        """Return the velocity in that direction, or the initial acceleration, relative to free fall; or None."""
         sense = next((s for s in _senses(study, self.name) if s.positive == self.positive), None)
         if sense is None:
             return None
@@ -129,16 +129,16 @@ class MovesOneWay(Regime):
         return (1.0 if self.ahead else -1.0) * float(rate) / _of_free_fall(study, until)
 
     def clause(self, words: Words) -> str:
-        """As in: block A moves down the slope; where it may turn or stop, it keeps moving that way.
+        """Return a clause such as *block A moves down the slope*, or *keeps moving* if it may turn or stop.
 
-        What a collision may send off, too, moves only that way.
+        A body that may collide *moves only* in that direction.
         """
         kept = "moves only" if words.mechanism.meetings else "keeps moving" if words.turns_back else "moves"
         return f"{words.called(self.of)[self.name]} {self.motion.replace('moves', kept, 1)}"
 
     @property
     def motion(self) -> str:
-        """Return a text such as *moves down the slope*."""
+        """Return the predicate, such as *moves down the slope*."""
         first, space, rest = self.positive.partition(" ")
         way = first if self.ahead else OPPOSITE[first]
         towards = f"to the {way}" if first == RIGHT else way
@@ -151,7 +151,7 @@ def _of_free_fall(study: Study, until: float) -> float:
 
 
 def _senses(study: Study, name: str) -> list[Sense]:
-    """Return that of the line along which a body moves, if the text has words for it."""
+    """Return the direction of a body's line, if the text has words for it; else none."""
     if not center_path(study.mechanism, name).straight:
         return []
     senses = Bodies().senses(study.mechanism, name)
@@ -159,7 +159,7 @@ def _senses(study: Study, name: str) -> list[Sense]:
 
 
 def _side(study: Study, name: str, way: Vector, until: float) -> int:
-    """1 or -1 if the velocity is along or against a way once it moves, 0 if it is both, or none for a while later.
+    """Return 1 or −1 for motion along or against a direction, 0 for both or for a later standstill.
 
     What starts from rest moves the way in which it is accelerated.
     """
@@ -183,7 +183,7 @@ def _side(study: Study, name: str, way: Vector, until: float) -> int:
 @REGIMES.register("direction_at_first")
 @dataclass(frozen=True, slots=True)
 class MovesFirst(Regime):
-    """A body that is released begins to move one way along a line, whatever it does later."""
+    """The assumption that a released body first moves in one direction along a line, whatever it does later."""
 
     of = Bodies()
     stage = 0
@@ -192,11 +192,11 @@ class MovesFirst(Regime):
 
     @classmethod
     def possible(cls, study: Study, words: Words) -> Sequence[Self]:
-        """Either way, where nothing moves at the start: else the text tells it."""
+        """Return both directions for every body if all start from rest; else none, as the text gives the direction."""
         return [cls(way.name, way) for way in MovesOneWay.possible(study, words)] if words.released else []
 
     def holds(self, study: Study, until: float) -> bool:
-        """Return whether it is about to move that way."""
+        """Return whether the body begins to move in that direction."""
         del until
         return self.way.begins(study)
 
@@ -205,13 +205,13 @@ class MovesFirst(Regime):
         return f"{words.called(self.of)[self.name]} first {self.way.motion}"
 
 
-SHIFTED, SAME = 1.01, 1e-9  # by what a number is multiplied to see what hangs on it; relative
+SHIFTED, SAME = 1.01, 1e-9  # factor on a number, to test dependence on it; relative difference that is rounding
 
 
 @REGIMES.register("side_of_center_of_mass")
 @dataclass(frozen=True, slots=True)
 class SideOfCenterOfMass(Regime):
-    """The first body on a light arm is on the side on which the centre of mass of all of them is, or on the other."""
+    """The assumption about which side of a light arm, relative to its first body, has the centre of mass."""
 
     of = Bodies()
     at_start = True
@@ -221,25 +221,25 @@ class SideOfCenterOfMass(Regime):
 
     @classmethod
     def possible(cls, study: Study, words: Words) -> Sequence[Self]:
-        """Of arms that carry something on both sides of the axle."""
+        """Return both alternatives for arms that carry bodies on both sides of the axle."""
         mechanism, named = study.mechanism, words.called(cls.of)
         rods = [body.name for body in mechanism.bodies if is_light_rod(body)]
         firsts = [welded_to(mechanism, rod)[0].name for rod in rods if carries_on_both_sides(mechanism, rod)]
         return [cls(name, same) for name in firsts if name in named for same in (True, False)]
 
     def holds(self, study: Study, until: float) -> bool:
-        """Return whether it is so in another motion."""
+        """Return whether the assumption holds in another motion."""
         del until
         side = self._side(study.mechanism)
         return side > 0.0 if self.same else side < 0.0
 
     def _side(self, mechanism: Mechanism) -> float:
-        """Return how far on the side of the body the centre of mass is, times the distance of the body, m²."""
+        """Return the position of the centre of mass on the side of the body, times the body's distance, m²."""
         body = mechanism.body[self.name]
         return inner(load_center(mechanism, mechanism.body[body.parent or ""]), body.at)
 
     def regardless_of(self, study: Study, path: str) -> bool:
-        """Whether a number has nothing to do with where the centre of mass is, as an angle or a speed has not."""
+        """Return whether a number does not affect the centre of mass, as an angle or a speed."""
         value = study.scene.value(path)
         if not value:
             return False
@@ -250,6 +250,6 @@ class SideOfCenterOfMass(Regime):
         return isclose(self._side(other), self._side(study.mechanism), rel_tol=SAME)
 
     def clause(self, words: Words) -> str:
-        """As in: the centre of mass of the bodies on the arm is on the same side of the axle as disc A."""
+        """Return a clause such as *the centre of mass of the bodies on the arm is on the same side as disc A*."""
         where = "on the same side of the axle as" if self.same else "on the side of the axle opposite to"
         return f"the centre of mass of the bodies on the arm is {where} {words.called(self.of)[self.name]}"

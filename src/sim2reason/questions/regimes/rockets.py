@@ -15,15 +15,15 @@ from sim2reason.scenes.dsl.mechanism import Prop
 from sim2reason.simulation.quantities.kinematics import Acceleration, Velocity
 from sim2reason.simulation.quantities.subjects.bodies import Bodies
 
-THEN = 1e-9  # relative: a moment that is no farther from burn-out is that
+THEN = 1e-9  # relative: a moment closer to burn-out coincides with it
 
 
 @REGIMES.register("burnt out")
 @dataclass(frozen=True, slots=True)
 class BurntOut(Regime):
-    """The fuel is used up before the moment that is asked about, or it is not.
+    """The assumption that all fuel is used up before the moment asked about, or that it is not.
 
-    What may come down again has not done so: its motion ends there, but not what a symbol for a time may stand for.
+    A rocket that may come down again has not yet done so, as the simulated motion ends there.
     """
 
     of = Bodies()
@@ -34,19 +34,19 @@ class BurntOut(Regime):
 
     @classmethod
     def possible(cls, study: Study, words: Words) -> Sequence[Self]:
-        """Return what burns fuel."""
+        """Return both alternatives for every body that burns fuel."""
         named = [burn.body for burn in study.mechanism.burns if burn.body in words.called(cls.of)]
         body = study.mechanism.body
         falls = {name: "s" in words.own and any(c.lower > -inf for c in body[name].coordinates) for name in named}
         return [held for name in named for held in (cls(name, out=True, falls=falls[name]), cls(name, out=False))]
 
     def holds(self, study: Study, until: float) -> bool:
-        """Return whether the moment is later than burn-out, or earlier; at burn-out itself nothing need be said."""
+        """Return whether the time is after burn-out, or before; True at burn-out itself."""
         end = self._end(study)
         return until > end * (1.0 + THEN) if self.out else 0.0 < until < end * (1.0 - THEN)
 
     def margin(self, study: Study, until: float) -> float | None:
-        """Return how much later than burn-out the moment is, or earlier, as a share of how long it burns."""
+        """Return the interval between the time and burn-out, relative to the burn time; None without a burn."""
         later = until / self._end(study) - 1.0
         return later if self.out else -later
 
@@ -54,16 +54,16 @@ class BurntOut(Regime):
         return max(burn.until for burn in study.mechanism.burns if burn.body == self.name)
 
     def always_told(self, study: Study) -> bool:
-        """Return its symbols do not say how long it burns."""
+        """Return True, as formulas do not show the burn time."""
         del study
         return True
 
     def clause(self, words: Words) -> str:
-        """Return the assumption, as in: it has burned all its fuel by that moment but has not yet fallen back."""
+        """Return a clause such as *it has burned all its fuel by that moment but has not yet fallen back*."""
         return f"{self.short_clause(words)}{' but has not yet fallen back' * (self.out and self.falls)}"
 
     def short_clause(self, words: Words) -> str:
-        """Return only the part about fuel, as in: the rocket has burned all its fuel by that moment."""
+        """Return the part about fuel only, such as *the rocket has burned all its fuel by that moment*."""
         called = words.called(self.of)[self.name]
         return (
             f"{called} has burned all its fuel by that moment"
@@ -72,7 +72,7 @@ class BurntOut(Regime):
         )
 
     def clause_beside(self, words: Words, others: Sequence[Regime]) -> str:
-        """Return the clause without *but has not yet fallen back* if another one says that the rocket only rises."""
+        """Return the clause without *but has not yet fallen back* if another clause says that the rocket only rises."""
         rises = any(isinstance(other, MovesOneWay) and other.name == self.name for other in others)
         return self.short_clause(words) if rises else self.clause(words)
 
@@ -83,7 +83,7 @@ STILL = 1e-9  # m/s², m/s
 @REGIMES.register("waits")
 @dataclass(frozen=True, slots=True)
 class DelayedLiftoff(Regime):
-    """A rocket on the ground burns some of its fuel, and not all, before its thrust can lift it, or none."""
+    """The assumption that a rocket on the ground burns some of its fuel before it lifts off, or none."""
 
     of = Bodies()
     stage = 0
@@ -93,7 +93,7 @@ class DelayedLiftoff(Regime):
 
     @classmethod
     def possible(cls, study: Study, words: Words) -> Sequence[Self]:
-        """Return what burns fuel and stands on something."""
+        """Return both alternatives for every body with fuel that stands on the ground."""
         if not any(isinstance(line.law, Prop) for line in study.mechanism.lines):
             return []
         named = words.called(cls.of)
@@ -101,7 +101,7 @@ class DelayedLiftoff(Regime):
         return [cls(body, waits) for body in found for waits in (True, False)]
 
     def holds(self, study: Study, until: float) -> bool:
-        """Return whether it is accelerated as the engine starts; or it is not, but moves when that stops."""
+        """Return whether the rocket is accelerated at ignition or, for a delay, only later but before burn-out."""
         del until
         trace = study.trace
         burnt = min(*(burn.until for burn in trace.mechanism.burns if burn.body == self.name), trace.stable_until)
@@ -111,12 +111,12 @@ class DelayedLiftoff(Regime):
         return (not lifted and float(np.linalg.norm(moves)) > STILL) if self.waits else lifted
 
     def always_told(self, study: Study) -> bool:
-        """Symbols do not say whether the thrust is more than the weight."""
+        """Return True, as formulas do not show whether the thrust exceeds the weight."""
         del study
         return True
 
     def margin(self, study: Study, until: float) -> float | None:
-        """By how much the thrust at the start exceeds the weight, or falls short of it, as a share of the weight."""
+        """Return the difference of initial thrust and weight, relative to the weight; None without gravity."""
         del until
         mechanism = study.mechanism
         weight = float(mechanism.body[self.name].mass * np.linalg.norm(mechanism.gravity))

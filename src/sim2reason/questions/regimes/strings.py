@@ -17,31 +17,31 @@ SLACK = 1e-9  # N
 
 
 def is_driven(mechanism: Mechanism) -> bool:
-    """Return whether a spring or a hand acts in it."""
+    """Return whether a spring or a hand drives the mechanism."""
     return any(isinstance(line.law, Elastic | ConstantTension) for line in mechanism.lines)
 
 
 @REGIMES.register("taut")
 @dataclass(frozen=True, slots=True)
 class StaysTaut(Regime):
-    """A string stays taut."""
+    """The assumption that a string stays taut."""
 
     of = Strings()
     unseen = True
 
     @classmethod
     def possible(cls, study: Study, words: Words) -> Sequence[Self]:
-        """Return every string."""
+        """Return the regime for every string."""
         del study
         return [cls(name) for name in words.called(cls.of)]
 
     def holds(self, study: Study, until: float) -> bool:
-        """Return whether it pulls throughout; a tension that is not determined, between two at rest, is not gone."""
+        """Return whether the string pulls throughout; True if its tension is undetermined."""
         scan = study.trace.scan
         return not bool((scan.tension[self.name][scan.times <= until] <= SLACK).any())
 
     def margin(self, study: Study, until: float) -> float | None:
-        """The least tension, by how fast it draws the bodies at its ends together, as a share of that of free fall."""
+        """Return the least tension as a relative acceleration of the string's ends, in units of free fall; or None."""
         scan, mechanism = study.trace.scan, study.mechanism
         through = mechanism.line[self.name].through
         bodies = (mechanism.site[site].body for site in (through[0], through[-1]))
@@ -53,16 +53,16 @@ class StaysTaut(Regime):
         return ease * float(tensions.min()) / (float(np.linalg.norm(mechanism.gravity)) or 1.0)
 
     def always_told(self, study: Study) -> bool:
-        """Where the text says what happens if it goes slack, as if it did; and of one alone, beside a spring or a hand.
+        """Return True if the text mentions slackness, or the string is alone beside a spring or a hand.
 
-        These may drive one end faster than the load at the other can follow, and no symbol says when.
+        Springs and hands may drive one end faster than the load at the other can follow.
         """
         owner = self.name.partition(".")[0]
         slackens = any(named.entity.slackens for named in study.scene.entities if named.name == owner)
         return slackens or (is_driven(study.mechanism) and len(study.mechanism.strings) == 1)
 
     def is_lost(self, study: Study) -> bool:
-        """Return where it goes slack."""
+        """Return whether the string goes slack."""
         return not self.holds(study, inf)
 
     def clause(self, words: Words) -> str:
@@ -73,26 +73,26 @@ class StaysTaut(Regime):
 @REGIMES.register("all_taut")
 @dataclass(frozen=True, slots=True)
 class AllStayTaut(Regime):
-    """All strings of several stay taut."""
+    """The assumption that all of several strings stay taut."""
 
     of = Strings()
 
     @classmethod
     def possible(cls, study: Study, words: Words) -> Sequence[Self]:
-        """Once, where there are several strings; a pulley with mass parts one into several lines."""
+        """Return the regime if there are several strings; a pulley with mass divides one into several lines."""
         del words
         return [cls("")] if len({line.name.partition("/")[0] for line in study.mechanism.strings}) > 1 else []
 
     def holds(self, study: Study, until: float) -> bool:
-        """Return whether there is a tension in each throughout."""
+        """Return whether every string has tension throughout."""
         return all(StaysTaut(line.name).holds(study, until) for line in study.mechanism.strings)
 
     def always_told(self, study: Study) -> bool:
-        """Return where there is a spring or a hand, too, which may drive one end faster than loads can follow."""
+        """Return True if a spring or a hand may pull one end faster than loads can follow."""
         return is_driven(study.mechanism)
 
     def is_lost(self, study: Study) -> bool:
-        """Return where one of them goes slack."""
+        """Return whether any string goes slack."""
         return not self.holds(study, inf)
 
     def clause(self, words: Words) -> str:

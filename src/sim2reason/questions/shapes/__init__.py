@@ -1,4 +1,4 @@
-"""The shapes of prompts: in which order scene, question, assumptions and numbers stand.
+"""Shapes of prompts: orders of scene, question, assumptions and numbers.
 
 Each shape can be undone: its `drafts` put a prompt back into the usual order, from which it is read.
 """
@@ -17,7 +17,7 @@ from sim2reason.text.prose.description import Description
 
 @dataclass(frozen=True)
 class Draft:
-    """What a prompt may say: the text of a scene and a question, with the numbers that it gives by their symbols."""
+    """A possible meaning of a prompt: the text of a scene, a question, and given numbers by symbol."""
 
     story: str
     question: str
@@ -25,12 +25,12 @@ class Draft:
 
 
 class PromptShape(ABC):
-    """One shape of prompts. All that the library knows of it stands on its class.
+    """The base class of prompt shapes.
 
     Class data:
-        name: under which it is registered.
-        share: how often it is drawn, compared with the other shapes that a text can have; positive.
-        marked: whether words of its own tell it; what is not marked is tried last when a prompt is read.
+        name: the registered name.
+        share: relative frequency among the shapes that suit a text; positive.
+        marked: whether the shape has characteristic words; the parser tries unmarked shapes last.
     """
 
     name: ClassVar[str]
@@ -39,15 +39,15 @@ class PromptShape(ABC):
 
     @abstractmethod
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
-        """The prompt without its last line, or None for a text or a question to which this shape can't be given."""
+        """Return the prompt without its last line; None if this shape does not suit the text or question."""
 
     @abstractmethod
     def drafts(self, text: str) -> Iterator[Draft]:
-        """Return all that a prompt of this shape, without its last line, may say; none for a prompt of another one."""
+        """Yield all possible meanings of a prompt without its last line; none if it has another shape."""
 
 
 def check_share(name: str, member: object) -> None:
-    """Refuse what would never be drawn, with ValueError."""
+    """Raise ValueError if a shape has no positive share, so that it would never be drawn."""
     share = getattr(member, "share", 0.0)
     if not (share > 0.0 and isfinite(share)):
         raise ValueError(f"questions.shapes: {name!r} has the share {share}, so it would never be drawn; declare one")
@@ -58,11 +58,11 @@ SHAPES: Registry[PromptShape] = Registry("questions.shapes", check_share)
 
 
 def shape(cls: type[S]) -> type[S]:
-    """Enter a shape of prompts under its name."""
+    """Register a shape of prompts under its name."""
     SHAPES.add(cls.name, cls())
     return cls
 
 
 def shapes_to_try() -> list[PromptShape]:
-    """Return all shapes in the order in which a prompt is read: first those that words of their own tell."""
+    """Return all shapes in the order in which the parser tries them: first those with characteristic words."""
     return sorted(SHAPES.values(), key=lambda member: not member.marked)

@@ -1,4 +1,4 @@
-"""Orders of the parts of a problem's text."""
+"""Shapes that differ in the order of the parts of a problem."""
 
 import re
 from collections.abc import Iterator
@@ -20,20 +20,20 @@ from sim2reason.text.prose.description import Description
 
 @shape
 class AssumptionsInBracket(PromptShape):
-    """Like this: “How far apart are the pucks at t = 0.71 s? (All collisions are elastic.)”."""
+    """Assumptions in brackets: “How far apart are the pucks at t = 0.71 s? (All collisions are elastic.)”."""
 
     name = "assumptions_in_bracket"
     share = 0.85
 
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
-        """Of texts that end with what holds throughout."""
+        """Return the prompt for a text that ends with general assumptions; None for others."""
         del rng
         held = assumptions(description)
         facts = description.sentences[: len(description.sentences) - len(held)]
         return text_of([*facts, question, f"({text_of(held)})"]) if held and facts else None
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """Yield drafts in which the bracketed sentences stand before the question again."""
+        """Yield drafts with the bracketed sentences moved back before the question."""
         before, opens, inside = text.removesuffix(".)").rpartition(" (")
         if not (opens and text.endswith(".)")):
             return
@@ -43,18 +43,18 @@ class AssumptionsInBracket(PromptShape):
 
 @shape
 class AssumptionsLast(PromptShape):
-    """Like this: “How fast is block A moving? Friction at pulleys is negligible. Take g = 9.8 m/s².”."""
+    """Assumptions at the end: “How fast is block A moving? Friction at pulleys is negligible. Take g = 9.8 m/s².”."""
 
     name = "assumptions_last"
 
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
-        """Of texts that close with what holds for every scene of their kind."""
+        """Return the prompt for a text that ends with general assumptions; None for others."""
         del rng
         facts, closings = without_assumptions(description.sentences)
         return text_of([*facts, question, *closings]) if closings and facts else None
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """Yield drafts in which the closing sentences stand before the question again."""
+        """Yield drafts with the closing sentences moved back before the question."""
         asked, closings = without_assumptions(units(text))
         for story, question in splits(asked) if closings else ():
             yield Draft(text_of([*story, *closings]), question)
@@ -74,12 +74,12 @@ _FRONT = re.compile("|".join(re.escape(front).replace(r"\{g\}", r"(\S.{0,20}?)")
 
 @shape
 class GravityFirst(PromptShape):
-    """Like this: “Take g = 9.8 m/s² here. Block A lies on …”."""
+    """The value of g first: “Take g = 9.8 m/s² here. Block A lies on …”."""
 
     name = "gravity_first"
 
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
-        """Of texts that end with the number of g."""
+        """Return the prompt for a text that ends with the value of g; None for others."""
         front, *facts = one_of(FRONTS, rng), *description.sentences[:-1]
         told = _TOLD.search(description.sentences[-1])
         if told is None or description.role(description.sentences[-1]) != "assumption":
@@ -87,7 +87,7 @@ class GravityFirst(PromptShape):
         return text_of([front.replace("{g}", told[1]), *facts, question])
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """It goes back to the end of the story."""
+        """Yield drafts with the sentence on g moved back to the end of the story."""
         first, *rest = units(text)
         told = _FRONT.fullmatch(first)
         number = next(filter(None, told.groups()), "") if told else ""
@@ -105,18 +105,18 @@ LABELS = (
 
 @shape
 class Labelled(PromptShape):
-    """Like this: “Situation: Block A lies on …* and, in a paragraph of its own, *Question: how fast …?”."""
+    """Labelled parts: “Situation: Block A lies on …” and, in a paragraph of its own, “Question: how fast …?”."""
 
     name = "labelled"
     share = 0.3
 
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
-        """Of every text."""
+        """Return the prompt, which suits every text."""
         scene, asked = LABELS[int(rng.random() * len(LABELS))]
         return f"{scene}{description.text}\n\n{asked}{question}"
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """Yield what stands under either heading."""
+        """Yield the story and the question under their labels."""
         for scene, asked in LABELS:
             story, heading, question = text.rpartition(f"\n\n{asked}")
             if heading and story.startswith(scene):
@@ -128,7 +128,7 @@ BETWEEN = "\n\n"
 
 @shape
 class QuestionApart(PromptShape):
-    """The usual order, but for the empty line that parts the question from the scene."""
+    """The usual order, with the question in a paragraph of its own."""
 
     name = "question_apart"
     share = 0.8
@@ -147,13 +147,13 @@ class QuestionApart(PromptShape):
 
 @shape
 class SceneFirst(PromptShape):
-    """The text of the scene with all that holds throughout, and the question last."""
+    """The usual order: the scene with its general assumptions, then the question."""
 
     name = "scene_first"
     marked = False
 
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
-        """Of every text."""
+        """Return the prompt, which suits every text."""
         del rng
         return text_of([*description.sentences, question])
 

@@ -1,4 +1,4 @@
-"""Texts with symbols whose values stand in a list or a table."""
+"""Shapes with symbols in the text, and their values in a list or table."""
 
 import re
 from collections.abc import Iterator
@@ -14,8 +14,8 @@ from sim2reason.text.prose.symbol_names import with_names, without_names
 from sim2reason.text.prose.voices import Voice, symbolic
 
 LEADS = ("Data: ", "Numerical values: ", "Take ", "Use ", "Let ")
-FEWEST, MOST = 2, 12
-COMPONENTS = 6  # of vectors, at most: a list of more is a table badly set
+FEWEST, MOST = 2, 12  # range of the number of listed values
+COMPONENTS = 6  # greatest number of vector components, as more belong in a table
 _FORMULA = re.compile(r"ω = |\(\$[^$]+\$\) [xyzt]\b")  # in the letters of the text, which do not go with symbols
 _COMPONENT = re.compile(r"[xyz](?:_.+)?|.+_(?:[xyz]|\{[xyz],.+\})")
 _NUMBER = r"\$([^$]{1,40})\$ = ([^$]{1,30}?)"
@@ -25,13 +25,13 @@ _ITEM = re.compile(rf"{_NUMBER}(?:, (?=\$)| and (?=\$)|\.$)")
 
 @shape
 class NumbersListed(PromptShape):
-    """Like this: “Block A of mass $m_A$ lies on … How fast is it moving? Data: $m_A$ = 2.0 kg, …”."""
+    """Symbols and a list of values: “Block A of mass $m_A$ lies on … How fast is it? Data: $m_A$ = 2.0 kg, …”."""
 
     name = "numbers_listed"
     share = 0.35
 
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
-        """Of texts without a table in which some numbers, but not too many, are told besides g."""
+        """Return the prompt for a text without a table and with a suitable number of values; None for others."""
         lead, after = one_of(LEADS, rng), rng.random() < 0.5
         marked = description.voiced(_symbols_for(description.voice))
         told = _numbers(description, marked)
@@ -49,7 +49,7 @@ class NumbersListed(PromptShape):
         return f"{story} {question} {listed}" if after else f"{story} {listed} {question}"
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """Yield drafts without the list of numbers, which stands before the question or after it."""
+        """Yield drafts without the list of numbers, which precedes or follows the question."""
         said = units(text)
         for place in range(len(said) - 1, len(said) - 2 - QUESTION, -1):
             given = _listed(said[place]) if place > 0 else {}
@@ -58,7 +58,7 @@ class NumbersListed(PromptShape):
 
 
 def _numbers(description: Description, marked: Description) -> dict[str, str] | None:
-    """By symbol, the numbers that a text tells, in its order, but what stays; None if an unknown has another one."""
+    """Return the stated numbers of a text by symbol; None if the question has another symbol for one."""
     found: dict[str, str] = {}
     parameters = {parameter.path: parameter for parameter in description.scene.parameters}
     for path in description.told:
@@ -74,12 +74,12 @@ def _numbers(description: Description, marked: Description) -> dict[str, str] | 
 
 
 def _stays(parameter: Parameter) -> bool:
-    """Whether it is said where it stands: g, and zero, which a problem in symbols would list as its only number."""
+    """Return whether a number remains in the text: g and zero, which no list of data contains."""
     return parameter.path.startswith("world.") or parameter.value == 0.0
 
 
 def _symbols_for(voice: Voice) -> Voice:
-    """Symbols, but for what stays as a voice says it."""
+    """Return a voice that replaces numbers by symbols, except those that remain in the text."""
 
     def said(parameter: Parameter, symbol: str) -> str:
         return voice(parameter, symbol) if _stays(parameter) else symbolic(parameter, symbol)
@@ -95,20 +95,20 @@ def _listed(sentence: str) -> dict[str, str]:
 
 @shape
 class TableLast(PromptShape):
-    """The story and the question as they are, and between them and the last line the table of which they speak."""
+    """The usual order, with the table moved to the end."""
 
     name = "table_last"
     share = 1.2
 
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
-        """Of texts with one table."""
+        """Return the prompt for a text with one table; None for others."""
         del rng
         tables = [unit for unit in description.sentences if is_table(unit)]
         told = [unit for unit in description.sentences if not is_table(unit)]
         return text_of([*told, question, *tables]) if len(tables) == 1 else None
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """Yield drafts with the table at every place of the story; the reader finds the right one."""
+        """Yield drafts with the table at every position in the story."""
         *told, last = units(text)
         if is_table(last):
             for story, question in splits(told):

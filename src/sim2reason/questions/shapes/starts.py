@@ -1,4 +1,4 @@
-"""Texts whose question states how the motion begins."""
+"""Shapes whose question states the initial motion."""
 
 import re
 from collections.abc import Iterator
@@ -32,13 +32,13 @@ _ENDING = re.compile(f"({_TAUT}), $")
 
 @shape
 class ReleaseInQuestion(PromptShape):
-    """Like this: “If everything is released from rest with all strings taut, what is …?”."""
+    """The release in the question: “If everything is released from rest with all strings taut, what is …?”."""
 
     name = "release_in_question"
     share = 1.5
 
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
-        """Of texts that say in a closing of their own that all starts from rest."""
+        """Return the prompt for a text whose closing says that everything starts from rest; None for others."""
         rests = [sentence for sentence in description.sentences if sentence in RESTS]
         clause = one_of(CLAUSES if is_lone(description.scene) else (ALL, *CLAUSES), rng)
         again = f" {clause.partition(' ')[0].lower()} " in question  # one condition would hang on another
@@ -48,7 +48,7 @@ class ReleaseInQuestion(PromptShape):
         return text_of([*rest, clause.replace("{taut}", RESTS[rests[0]]) + lowered(question)])
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """Yield drafts in which the clause about the start stands before the closing sentences again."""
+        """Yield drafts with the clause about the start moved back before the closing sentences."""
         for story, question in splits(units(text)):
             clause = _CLAUSE.match(question)
             if clause is None:
@@ -64,13 +64,13 @@ FRONT = "Suppose that "
 
 @shape
 class SupposedStart(PromptShape):
-    """Like this: “Suppose that cart B is struck and starts off to the left at 0.47 m/s. How far …?”."""
+    """The initial motion after the scene: “Suppose that cart B is struck and starts off to the left at 0.47 m/s. …”."""
 
     name = "supposed_start"
     share = 1.2
 
     def compose(self, description: Description, question: str, rng: np.random.Generator) -> str | None:
-        """Of texts whose last sentence before the closings on what holds throughout tells a start."""
+        """Return the prompt for a text whose last sentence before the assumptions states the start; None for others."""
         del rng
         facts, closings = without_assumptions(description.sentences)
         if not facts or description.role(facts[-1]) != "start" or facts[-1] in RESTS:
@@ -78,7 +78,7 @@ class SupposedStart(PromptShape):
         return text_of([*facts[:-1], *closings, FRONT + lowered(facts[-1]), question])
 
     def drafts(self, text: str) -> Iterator[Draft]:
-        """Yield drafts in which the supposed start stands before the closing sentences again."""
+        """Yield drafts with the supposed start moved back before the closing sentences."""
         for story, question in splits(units(text)):
             if story and story[-1].startswith(FRONT):
                 facts, closings = without_assumptions(story[:-1])

@@ -1,4 +1,4 @@
-"""Misconceptions: what a solver may wrongly leave out of a motion, or take to be simpler than it is.
+"""Misconceptions: simplified or altered motions that a solver may wrongly assume.
 
 A question whose answer such a slip hardly changes pays for it; one whose answer it changes has a wrong answer to offer,
 with its reason.
@@ -15,18 +15,17 @@ from sim2reason.scenes.dsl.mechanism import Mechanism
 
 
 class Simplification(ABC):
-    """One slip. All that the library knows of it stands on its class.
+    """The base class of misconceptions.
 
     Class data:
-        name: under which it is registered and reported.
-        reason: what is wrong, a sentence about ``{subject}``.
-        part: whether it takes a part of the scene away, so that an answer which stays shows a part without bearing;
-            else it is a mistake about the physics of a part that bears.
-        holds: whether its subject no longer moves, so that a question about that one has no answer any more.
-        misleads: whether anybody would make it, so that the answer it leads to is one that a student could give.
-        sound_if_same: whether nobody errs who makes it where the answer stays what it is: an approximation that holds,
-            or a choice that need not be made.
-        common: whether it refuses many questions for the time that it takes, so that it is tried before the others.
+        name: the registered name, which reports use.
+        reason: a statement of the error, with the placeholder ``{subject}``.
+        part: whether a part of the scene is removed, so that an unchanged answer shows that the part is irrelevant;
+            if not, the physics of a relevant part is wrong.
+        holds: whether the subject no longer moves, so that questions about it have no answer.
+        misleads: whether students make the error, so that its answer is a plausible distractor.
+        sound_if_same: whether the assumption is correct if the answer is unchanged, as a valid approximation is.
+        common: whether the misconception rejects many questions at little cost, so that it is tried first.
     """
 
     name: ClassVar[str]
@@ -39,37 +38,37 @@ class Simplification(ABC):
 
     @abstractmethod
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return what it can be about where a query asks about a motion: names of the mechanism's parts.
+        """Return the subjects of the misconception for a query about a motion: names of parts of the mechanism.
 
-        An empty name stands for the whole.
+        An empty name denotes the whole mechanism.
         """
 
     @abstractmethod
     def simplified(self, study: Study, subject: str, until: float) -> Study | None:
-        """Return the scene as the slip has it, with its motion until a time, s; None if there is none."""
+        """Return the scene with its motion under the misconception until a time, s; None if there is none."""
 
 
 class ChangedMechanism(Simplification):
-    """A slip that amounts to another mechanism."""
+    """The base class of misconceptions that change the mechanism."""
 
     @abstractmethod
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism as the slip has it."""
+        """Return the mechanism under the misconception."""
 
     def simplified(self, study: Study, subject: str, until: float) -> Study | None:
-        """Return the motion of that mechanism."""
+        """Return the motion of the changed mechanism until a time, s; None if there is none."""
         return study.changed((self.name, subject), lambda mechanism: self.changed(mechanism, subject), until)
 
 
 class OtherReading(Simplification):
-    """A slip that reads the same motion differently, as a whole."""
+    """The base class of misconceptions that misinterpret the recorded motion as a whole."""
 
     @abstractmethod
     def read(self, study: Study) -> Study | None:
-        """Return the motion as the slip has it, for as long as it is recorded; None if there is none."""
+        """Return the misinterpreted motion, over the recorded time; None if there is none."""
 
     def simplified(self, study: Study, subject: str, until: float) -> Study | None:
-        """Return that motion."""
+        """Return the misinterpreted motion."""
         del subject, until
         return study.once(("reading", self.name), lambda: self.read(study))
 
@@ -79,11 +78,11 @@ SIMPLIFICATIONS: Registry[Simplification] = Registry("questions.simplifications"
 
 
 def in_order() -> list[Simplification]:
-    """Return all slips, the common ones first."""
+    """Return all misconceptions, the common ones first."""
     return sorted(SIMPLIFICATIONS.values(), key=lambda each: not each.common)
 
 
 def simplification(cls: type[S]) -> type[S]:
-    """Enter a slip under its name."""
+    """Register a misconception under its name."""
     SIMPLIFICATIONS.add(cls.name, cls())
     return cls

@@ -1,4 +1,4 @@
-"""Mistakes about collisions and other events."""
+"""Misconceptions about collisions and other events."""
 
 from collections.abc import Iterable
 from dataclasses import replace
@@ -45,12 +45,12 @@ class LaterRoot(OtherReading):
     sound_if_same = True  # then what is asked hangs on the place alone, and who takes energies never asks for the time
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole, where a passage is asked about, which can come twice."""
+        """Return the whole mechanism as the subject if a passage is asked about, which may occur twice; else none."""
         del study
         return [""] if _is_passage(query.moment) else []
 
     def read(self, study: Study) -> Study:
-        """Return the same motion, in which passages are what they are the second time."""
+        """Return the same motion with the second time of each passage in place of the first."""
         return _Later(study.scene, study.trace)
 
 
@@ -59,10 +59,10 @@ def _is_passage(moment: object) -> bool:
 
 
 class _Later(Study):
-    """A motion in which whatever is passed for the first time counts when it is passed again."""
+    """A motion in which a passage counts only when it occurs for the second time."""
 
     def time(self, moment: Timed) -> float | None:
-        """Return when a passage comes for the second time, from either side; of all else the first time."""
+        """Return the second time of a passage, s, in either sense; the time of any other moment."""
         first = super().time(moment)
         if first is None or not (isinstance(moment, Passage) and _is_passage(moment)):
             return first
@@ -82,31 +82,31 @@ class NoCollisions(ChangedMechanism):
     reason = "collisions are left out"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole, where anything can collide."""
+        """Return the whole mechanism as the subject if bodies can collide; else none."""
         del query
         return [""] if study.mechanism.meetings else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism without them."""
+        """Return the mechanism without collisions."""
         del subject
         return replace(mechanism, meetings=())
 
 
 @simplification
 class NoEvents(OtherReading):
-    """The motion is taken to go on as it begins, whatever happens on the way: stops, slips, collisions."""
+    """The motion is assumed to continue as it begins, without any events such as stops or collisions."""
 
     name = "no events"
     reason = "the motion is taken to go on as it begins"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole, where forces are constant and something happens before the moment."""
+        """Return the whole mechanism as the subject if forces are constant and an event occurs before; else none."""
         end = asked_until(query, study)
         changes = any(event.time > 0.0 for event in happened(study.trace.events, end))
         return [""] if changes and not changing(study.mechanism) else []
 
     def read(self, study: Study) -> Study:
-        """With the accelerations and forces of the start."""
+        """Return the motion with the accelerations and forces of the start throughout."""
         return Study(study.scene, with_formulas(study.trace, _continued))
 
 

@@ -1,4 +1,4 @@
-"""Formulas applied where they do not hold."""
+"""Misconceptions by formulas used outside their range of validity."""
 
 from collections.abc import Iterable
 from dataclasses import replace
@@ -24,18 +24,18 @@ from sim2reason.simulation.trace import Trace
 
 @simplification
 class HalfForgotten(OtherReading):
-    """What is let go is taken to move by at², as if it had all the while the speed that it reaches."""
+    """The distance of a body released from rest is taken as at², as if it always had its final speed."""
 
     name = "half forgotten"
     reason = "the distance covered from rest is taken to be a t\N{SUPERSCRIPT TWO}, without the factor 1/2"
     sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole, where all accelerations are constant."""
+        """Return the whole mechanism as the subject if it starts from rest with constant accelerations; else none."""
         return [""] if is_steady(query, study) else []
 
     def read(self, study: Study) -> Study:
-        """With distances twice as large, and the speeds of the same times."""
+        """Return the motion with doubled distances and the same speeds."""
         return Study(study.scene, with_formulas(study.trace, _doubled))
 
 
@@ -45,18 +45,18 @@ def _doubled(t: Array, v: Array, a: Array) -> tuple[Array, Array]:
 
 @simplification
 class LengthAsExtension(ChangedMechanism):
-    """The natural length of springs is forgotten."""
+    """The extension of a spring is taken to be its length."""
 
     name = "length as extension"
     reason = "the length of a spring is taken for its extension"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole, where a spring acts both ways."""
+        """Return the whole mechanism as the subject if a spring can push and pull; else none."""
         del query
         return [""] if _springs(study.mechanism) else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with springs of no natural length."""
+        """Return the mechanism with springs of zero natural length."""
         del subject
         return with_lines(mechanism, _springs(mechanism), _short)
 
@@ -73,18 +73,18 @@ def _short(line: Line) -> Line:
 
 @simplification
 class MeanVelocity(OtherReading):
-    """A velocity is taken to be the distance over the time, also of what speeds up."""
+    """A velocity is taken to be distance over time, even under acceleration."""
 
     name = "mean velocity"
     reason = "the mean velocity is taken for the velocity at the end"
     sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole, where all accelerations are constant."""
+        """Return the whole mechanism as the subject if it starts from rest with constant accelerations; else none."""
         return [""] if is_steady(query, study) else []
 
     def read(self, study: Study) -> Study:
-        """With half the velocities."""
+        """Return the motion with half the velocities."""
         return Study(study.scene, with_formulas(study.trace, _averaged))
 
 
@@ -94,7 +94,7 @@ def _averaged(t: Array, v: Array, a: Array) -> tuple[Array, Array]:
 
 @simplification
 class SineForCosine(Simplification):
-    """An acute angle is taken from the other leg: its complement stands wherever it should."""
+    """An acute angle is measured from the wrong line, so that its complement is used everywhere."""
 
     name = "sine for cosine"
     common = True
@@ -114,16 +114,16 @@ class SineForCosine(Simplification):
         ]
 
     def simplified(self, study: Study, subject: str, until: float) -> Study | None:
-        """Return the scene with the complement of that angle; None if it can't be built so."""
+        """Return the scene with the complement of the angle, and its motion; None if it cannot be built."""
         return study.with_values({subject: 90.0 - float(study.scene.value(subject))}, until)
 
 
-FITS = 1e-3  # of the largest displacement: what the modes leave of how a motion starts
+FITS = 1e-3  # of the greatest displacement: largest part of an initial state that the modes do not represent
 
 
 @simplification
 class SmallAngle(OtherReading):
-    """A swing is taken to be harmonic about its equilibrium, however wide it is."""
+    """A swing is taken to be harmonic about its equilibrium, whatever its amplitude."""
 
     name = "small angle"
     common = True
@@ -131,13 +131,13 @@ class SmallAngle(OtherReading):
     sound_if_same = True  # then it is small
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole, where weight drives a motion whose equations change."""
+        """Return the whole mechanism as the subject if gravity drives a nonlinear motion; else none."""
         del query
         mechanism = study.mechanism
         return [""] if weighs(mechanism) and changing(mechanism) else []
 
     def read(self, study: Study) -> Study | None:
-        """Return the motion in normal modes; None where there are none, or where it is harmonic anyway."""
+        """Return the motion in normal modes; None if there are no modes, or the motion is harmonic anyway."""
         rest = equilibrium(study.mechanism)
         if rest is None or rest.linear:
             return None
@@ -147,7 +147,7 @@ class SmallAngle(OtherReading):
 
 
 def _harmonic(trace: Trace, rest: Rest, modes: Oscillations) -> Trace | None:
-    """Q = q₀ + Σ s (a cos ωt + b sin ωt) with the place and the speeds of the start; forces are not known."""
+    """Return the motion q = q₀ + Σ s (a cos ωt + b sin ωt) from the initial state, without forces; or None."""
     first = trace.sample(np.zeros(1))
     gone, speeds = first.q[0] - rest.coordinates, first.v[0]
     omega, shapes = modes.frequencies, modes.shapes
@@ -174,26 +174,26 @@ def _harmonic(trace: Trace, rest: Rest, modes: Oscillations) -> Trace | None:
 
 @simplification
 class UniformAngularSpeed(OtherReading):
-    """Equal times are taken to belong to equal angles on an ellipse, not to equal areas."""
+    """Equal times are taken to correspond to equal angles on an ellipse, instead of equal areas."""
 
     name = "uniform angular speed"
     reason = "equal angles are taken to be swept out in equal times, as on a circle"
     sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole, where planets go round a star and return."""
+        """Return the whole mechanism as the subject if planets are on closed orbits about a star; else none."""
         del query
         found = orbits(study.mechanism)
         return [""] if found and all(orbit.period is not None for orbit in found) else []
 
     def read(self, study: Study) -> Study:
-        """On their ellipses about the star alone, in the periods that they have there."""
+        """Return the motion on the ellipses about the star alone, with their periods and uniform angular speed."""
         ellipses = {orbit: partial(_turned, orbit) for orbit in orbits(study.mechanism)}
         return Study(study.scene, moving_as(study.trace, ellipses))
 
 
 def _turned(orbit: PlanetOrbit, times: Array) -> Motion:
-    """With r = p/(1 + e cos ν), ṙ = r² e sin ν ω/p and r̈ = (2ṙ²/r + r² e cos ν ω²/p)."""
+    """Return the motion r = p/(1 + e cos ν), ṙ = r² e sin ν ω/p, r̈ = (2ṙ²/r + r² e cos ν ω²/p)."""
     assert orbit.period is not None
     rate, p, (ex, ey) = orbit.sense * 2.0 * pi / orbit.period, orbit.semi_latus_rectum, orbit.eccentricity_vector
     angle = np.arctan2(orbit.place[1], orbit.place[0]) + rate * times
@@ -209,19 +209,19 @@ def _turned(orbit: PlanetOrbit, times: Array) -> Motion:
 
 @simplification
 class WeightAsTension(ChangedMechanism):
-    """What hangs from a string is taken to pull with its weight, as if it were at rest."""
+    """The tension above a hanging body is taken to equal its weight, as in equilibrium."""
 
     name = "weight as tension"
     reason = "the tension in a string is taken to balance the weight that hangs from it"
     sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return whatever hangs."""
+        """Return the names of hanging bodies."""
         del query
         return hanging(study.mechanism)
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with that tension in what holds it, shared by as many pieces as run up from it."""
+        """Return the mechanism with that tension in the strings above the body, shared equally among them."""
         held = hanging(mechanism)[subject]
         law = ConstantTension(held.mass * -mechanism.gravity[2] / held.runs)
         return with_lines(mechanism, held.strings, lambda line: replace(line, law=law))

@@ -1,4 +1,4 @@
-"""Mistakes about friction and normal forces."""
+"""Misconceptions about friction and normal forces."""
 
 from collections.abc import Iterable
 from dataclasses import replace
@@ -15,52 +15,52 @@ from sim2reason.scenes.dsl.mechanism import Mechanism
 
 @simplification
 class FaceFriction(ChangedMechanism):
-    """The friction on one body is left out, but that on others is kept."""
+    """The friction on one body is left out, but friction on other bodies is kept."""
 
     name = "friction on one body left out"
     reason = "the friction under {subject} is left out"
     common = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Each of several bodies that lie on rough faces; a single one is covered by leaving out all friction."""
+        """Return each of several bodies on rough faces; none for a single one, which `NoFriction` covers."""
         del query
         found = [face.subject for face in rough(study.mechanism)]
         return found if len(found) > 1 else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with that face smooth."""
+        """Return the mechanism with the body's face smooth."""
         faces = (replace(face, friction=0.0) if face.subject == subject else face for face in mechanism.faces)
         return replace(mechanism, faces=tuple(faces))
 
 
 @simplification
 class NoFriction(ChangedMechanism):
-    """All faces are taken as smooth, so that what rolls slides without turning."""
+    """All faces are assumed to be smooth, so that rolling bodies slide without rotation."""
 
     name = "no friction"
     common = True
     reason = "friction is left out"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole, where a face is rough."""
+        """Return the whole mechanism as the subject if a face is rough; else none."""
         del query
         return [""] if any(face.friction for face in study.mechanism.faces) else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with all coefficients zero."""
+        """Return the mechanism with all coefficients of friction zero."""
         del subject
         return replace(mechanism, faces=tuple(replace(face, friction=0.0) for face in mechanism.faces))
 
 
 @simplification
 class NoSlip(ChangedMechanism):
-    """What can turn on a rough face is taken to roll without slipping from the start."""
+    """A body that can rotate on a rough face is assumed to roll without slipping from the start."""
 
     name = "no slip"
     reason = "{subject} is taken to roll without slipping"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return what can roll, with a finite coefficient of friction."""
+        """Return the bodies that can roll on faces with finite friction."""
         del query
         faces = study.mechanism.faces
         return [
@@ -68,12 +68,12 @@ class NoSlip(ChangedMechanism):
         ]
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with friction without bounds."""
+        """Return the mechanism with unlimited friction on the body's face."""
         faces = (replace(face, friction=inf) if face.subject == subject else face for face in mechanism.faces)
         return replace(mechanism, faces=tuple(faces))
 
 
-LEVEL = 1.0 - 1e-9  # cosine of a slope that is none
+LEVEL = 1.0 - 1e-9  # cosine: steeper faces are slopes
 
 
 @simplification
@@ -86,13 +86,13 @@ class WeightAsNormalForce(ChangedMechanism):
     common = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole, where a slope is rough."""
+        """Return the whole mechanism as the subject if a slope is rough; else none."""
         del query
         mechanism = study.mechanism
         return [""] if weighs(mechanism) and _sloped(mechanism) else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """With coefficients that are larger by as much as the normal force is less than the weight."""
+        """Return the mechanism with coefficients of friction divided by the cosines of the slopes."""
         del subject
         sloped = _sloped(mechanism)
         faces = (
@@ -103,7 +103,7 @@ class WeightAsNormalForce(ChangedMechanism):
 
 
 def _sloped(mechanism: Mechanism) -> dict[str, float]:
-    """Return the cosine of the slope by what lies on one that is rough."""
+    """Return the cosine of the slope for each body on a rough slope."""
     sloped = [face for face in rough(mechanism) if not face.turning]
     if not sloped:
         return {}

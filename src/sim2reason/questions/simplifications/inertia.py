@@ -1,4 +1,4 @@
-"""Mistakes about moments of inertia and centres of mass."""
+"""Misconceptions about moments of inertia and centres of mass."""
 
 from collections.abc import Iterable
 from dataclasses import replace
@@ -15,19 +15,19 @@ from sim2reason.scenes.dsl.vectors import Vector, add, inner, scale
 
 @simplification
 class CenterOfMass(ChangedMechanism):
-    """A centre of mass is taken to be what the text calls the centre, such as that of a hemisphere's flat face."""
+    """A body's centre of mass is taken to be its geometric centre, such as that of a hemisphere's flat face."""
 
     name = "centre of mass not displaced"
     reason = "the centre of mass of {subject} is taken to be at its geometric centre"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return whatever turns and has its centre of mass elsewhere."""
+        """Return the bodies that can rotate and whose centre of mass is not their centre."""
         del query
         mechanism = study.mechanism
         return [name for name in solid(mechanism) if any(mechanism.body[name].center)]
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with its centre of mass there."""
+        """Return the mechanism with the body's centre of mass at its centre."""
         return with_bodies(mechanism, [subject], lambda body: replace(body, center=ZERO))
 
 
@@ -43,7 +43,7 @@ class HoleAboutCenter(OtherFigure):
     overlooked = "hole"
 
     def taken_for(self, body: RigidBody, figure: Solid) -> RigidBody:
-        """With that inertia less m(c² 1 − c cᵀ), of its own centre of mass."""
+        """Return the body with the inertia of the full figure about the geometric centre, less m(c² 1 − c cᵀ)."""
         x, y, z = body.center
         about = figure.inertia(body.mass)
         steiner = (y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z)
@@ -53,14 +53,14 @@ class HoleAboutCenter(OtherFigure):
 
 @simplification
 class HoleForgotten(OtherFigure):
-    """A body is taken to have no hole, so that its centre of mass is at its centre."""
+    """The hole of a body is ignored, so that its centre of mass is at its centre."""
 
     name = "hole left out"
     reason = "the hole in {subject} is left out"
     overlooked = "hole"
 
     def taken_for(self, body: RigidBody, figure: Solid) -> RigidBody:
-        """With the inertia and the centre of mass of a body of the same mass without the hole."""
+        """Return the body with the inertia and the centre of mass of a full body of the same mass."""
         return replace(body, center=figure.center, inertia=figure.inertia(body.mass))
 
 
@@ -76,20 +76,20 @@ class HoleInInertia(OtherFigure):
 
 @simplification
 class OwnInertia(ChangedMechanism):
-    """The moment of inertia of one body about its own centre of mass is left out, but that of others is kept."""
+    """The moment of inertia of one body about its centre of mass is left out, but that of others is kept."""
 
     name = "own inertia left out"
     common = True
     reason = "the moment of inertia of {subject} about its own centre of mass is left out"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return each of several; a single one is covered by taking all bodies as points."""
+        """Return each of several bodies; none for a single one, which `PointMass` covers."""
         del query
         found = solid(study.mechanism)
         return found if len(found) > 1 else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism without that inertia."""
+        """Return the mechanism without the body's moment of inertia."""
         return with_bodies(mechanism, [subject], inertialess)
 
 
@@ -105,12 +105,12 @@ class ParallelAxisForgotten(ChangedMechanism):
     common = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """The whole, where something with a size turns about an axis beside its centre of mass that nothing moves."""
+        """Return the whole mechanism as the subject if a body turns about a fixed off-centre axis; else none."""
         del query
         return [""] if _off_axis(study.mechanism) else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """With moments of inertia less by m(d² 1 - d dᵀ), which motion about the axle adds again."""
+        """Return the mechanism with inertia tensors reduced by m(d² 1 − d dᵀ), which motion about the axle restores."""
         del subject
         arms = _off_axis(mechanism)
 
@@ -124,7 +124,7 @@ class ParallelAxisForgotten(ChangedMechanism):
 
 
 def _off_axis(mechanism: Mechanism) -> dict[str, Vector]:
-    """Return the arms from such axes to centres of mass, at right angles to the axes, m; by body."""
+    """Return the vectors, m, from such axes to centres of mass, perpendicular to the axes, by body."""
     arms = ((name, _arm(mechanism, name)) for name in solid(mechanism))
     return {name: arm for name, arm in arms if arm is not None and inner(arm, arm) > ON_AXIS**2}
 
@@ -143,19 +143,19 @@ def _arm(mechanism: Mechanism, name: str) -> Vector | None:
 
 @simplification
 class PointMass(ChangedMechanism):
-    """Bodies with a size are taken as points at their centres of mass; what rolls then only slides."""
+    """Extended bodies are treated as points at their centres of mass, so that rolling bodies only slide."""
 
     name = "point mass"
     reason = "the moment of inertia about the centre of mass is left out"
     common = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole, where anything with inertia about its centre of mass can turn."""
+        """Return the whole mechanism as the subject if a body with moment of inertia can rotate; else none."""
         del query
         return [""] if solid(study.mechanism) else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism without that inertia."""
+        """Return the mechanism without moments of inertia about centres of mass."""
         del subject
         return with_bodies(mechanism, solid(mechanism), inertialess)
 

@@ -1,4 +1,4 @@
-"""Bodies, forces and initial velocities that are left out of account."""
+"""Misconceptions that ignore bodies, forces or initial velocities."""
 
 from collections.abc import Iterable
 from dataclasses import replace
@@ -16,7 +16,7 @@ from sim2reason.scenes.dsl.vectors import scale
 
 @simplification
 class BodyHeld(ChangedMechanism):
-    """A body that moves is held where it is."""
+    """A moving body is assumed to be fixed."""
 
     name = "body held"
     reason = "{subject} is taken to stay where it is"
@@ -24,19 +24,19 @@ class BodyHeld(ChangedMechanism):
     misleads = False
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return all that can move but for wheels."""
+        """Return the bodies that can move, except wheels."""
         del query
         movable = {coordinate.body for coordinate in study.mechanism.coordinates}
         return [name for name in massive(study.mechanism) if name in movable]
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with it held on what carries it."""
+        """Return the mechanism with the body fixed to its carrier."""
         return held(mechanism, subject)
 
 
 @simplification
 class BodyLeftOut(ChangedMechanism):
-    """A body is left out: it has no mass, and nothing meets it."""
+    """A body is ignored: it has no mass, and nothing collides with it."""
 
     name = "body left out"
     reason = "all is taken to move as if {subject} were not there"
@@ -44,7 +44,7 @@ class BodyLeftOut(ChangedMechanism):
     misleads = False
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return all of several with mass but what would tremble without it: on springs, across strings, as a pivot."""
+        """Return the bodies with mass, if several; except those on springs, across strings or at pivots."""
         del query
         mechanism = study.mechanism
         elastic = [line for line in mechanism.lines if isinstance(line.law, Elastic)]
@@ -57,13 +57,13 @@ class BodyLeftOut(ChangedMechanism):
         return [name for name in others(mechanism) if name not in sprung | held | pivots]
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return all but without it."""
+        """Return the mechanism without the body's mass, inertia and collisions."""
         return left_out(mechanism, subject)
 
 
 @simplification
 class FixedCarrier(ChangedMechanism):
-    """What carries others, such as a wedge, is taken as fixed."""
+    """A carrier of other bodies, such as a wedge, is assumed to be fixed."""
 
     name = "fixed carrier"
     reason = "{subject} is taken as fixed"
@@ -71,49 +71,49 @@ class FixedCarrier(ChangedMechanism):
     common = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return whatever carries something and can move."""
+        """Return the carriers that can move."""
         del query
         return carriers(study.mechanism)
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with it held."""
+        """Return the mechanism with the carrier fixed."""
         return held(mechanism, subject)
 
 
 @simplification
 class ForceLeftOut(ChangedMechanism):
-    """The force of a field, or the drag of a medium, is left out."""
+    """The force of a field, or the drag of a medium, is ignored."""
 
     name = "force left out"
     reason = "the force of {subject} is left out"
     part = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return all of them."""
+        """Return the names of these forces."""
         del query
         return [force.name for force in study.mechanism.forces]
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism without it."""
+        """Return the mechanism without the force."""
         return replace(mechanism, forces=tuple(force for force in mechanism.forces if force.name != subject))
 
 
 @simplification
 class FromRest(ChangedMechanism):
-    """What moves at the start is taken to be at rest."""
+    """Bodies with initial velocities are assumed to start from rest."""
 
     name = "from rest"
     common = True
     reason = "the velocity at the start is left out"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole, where anything moves at the start; but nobody has planets fall into their star."""
+        """Return the whole mechanism as the subject if a body moves at the start; none for planets."""
         del query
         moving = any(coordinate.speed for coordinate in study.mechanism.coordinates)
         return [""] if moving and not study.mechanism.attractions else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with all at rest."""
+        """Return the mechanism with all initial velocities zero."""
         del subject
         return with_bodies(mechanism, mechanism.body, _still)
 
@@ -124,54 +124,54 @@ def _still(body: RigidBody) -> RigidBody:
 
 @simplification
 class GravityLeftOut(ChangedMechanism):
-    """Weight is left out."""
+    """Gravity is ignored."""
 
     name = "gravity left out"
     reason = "weight is left out"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole, where anything weighs."""
+        """Return the whole mechanism as the subject if gravity acts on a body; else none."""
         del query
         return [""] if weighs(study.mechanism) else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with next to no gravity, so that there still is an up and a down."""
+        """Return the mechanism with negligible gravity, which still defines a vertical direction."""
         del subject
         return replace(mechanism, gravity=scale(NEARLY_NOTHING, mechanism.gravity))
 
 
 @simplification
 class HandLeftOut(ChangedMechanism):
-    """The pull of a hand on a string is left out."""
+    """The pull of a hand on a string is ignored."""
 
     name = "hand left out"
     reason = "the pull of the hand is left out"
     part = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the lines that are drawn in."""
+        """Return the names of the strings drawn in by a hand."""
         del query
         return [line.name for line in study.mechanism.pulls]
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with a force of zero."""
+        """Return the mechanism with zero pull on the string."""
         return with_lines(mechanism, [subject], lambda line: replace(line, law=ConstantTension(0.0)))
 
 
 @simplification
 class NoDamping(ChangedMechanism):
-    """All dashpots are left out."""
+    """All dashpots are ignored."""
 
     name = "no damping"
     reason = "damping is left out"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole, where anything is damped."""
+        """Return the whole mechanism as the subject if a spring is damped; else none."""
         del query
         return [""] if _damped(study.mechanism) else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with springs alone."""
+        """Return the mechanism with undamped springs."""
         del subject
         return with_lines(mechanism, _damped(mechanism), _undamped)
 
@@ -187,17 +187,17 @@ def _undamped(line: Line) -> Line:
 
 @simplification
 class SpringLeftOut(ChangedMechanism):
-    """A spring is left out, and with it the energy that it stores."""
+    """A spring is ignored, together with its stored energy."""
 
     name = "spring left out"
     reason = "{subject} is left out"
     part = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return all springs."""
+        """Return the names of all springs."""
         del query
         return [line.name for line in study.mechanism.lines if isinstance(line.law, Elastic)]
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with a spring that pulls at nothing."""
+        """Return the mechanism with a spring that exerts no force."""
         return with_lines(mechanism, [subject], lambda line: replace(line, law=Elastic(0.0, 0.0)))

@@ -1,4 +1,4 @@
-"""Mistakes about orbits."""
+"""Misconceptions about orbits."""
 
 from collections.abc import Iterable
 from dataclasses import replace
@@ -35,11 +35,11 @@ class CentripetalAcceleration(OtherReading):
     sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole, where planets go round a star, and something is asked that hangs on it."""
+        """Return the whole mechanism as the subject if planets orbit a star and accelerations matter; else none."""
         return [""] if asked_name(query) in ACCELERATIONS and orbits(study.mechanism) else []
 
     def read(self, study: Study) -> Study:
-        """With that acceleration."""
+        """Return the motion with the accelerations v²/r towards the star."""
         return Study(study.scene, with_accelerations(study.trace, _towards_the_star))
 
 
@@ -50,19 +50,19 @@ def _towards_the_star(orbit: PlanetOrbit, place: Array, velocity: Array) -> Arra
 
 @simplification
 class CircularOrbit(OtherReading):
-    """A planet is taken to go round its star at the distance that it has at the start, as fast as on a circle."""
+    """A planet is assumed to be on a circular orbit with its initial distance from the star."""
 
     name = "circular orbit"
     reason = "the orbit is taken as a circle about the star through the starting point"
     sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole, where planets go round a star."""
+        """Return the whole mechanism as the subject if planets orbit a star; else none."""
         del query
         return [""] if orbits(study.mechanism) else []
 
     def read(self, study: Study) -> Study:
-        """On circles, with ω² = GM/r³."""
+        """Return the motion on circles with ω² = GM/r³."""
         circles = {orbit: partial(_circle, orbit) for orbit in orbits(study.mechanism)}
         return Study(study.scene, moving_as(study.trace, circles))
 
@@ -78,18 +78,18 @@ def _circle(orbit: PlanetOrbit, times: Array) -> Motion:
 
 @simplification
 class CircularOrbitSpeed(OtherReading):
-    """A planet is taken to have the speed of a circle at the distance that it has just then."""
+    """A planet is assumed to have, at each distance, the speed of a circular orbit there."""
 
     name = "circular orbit speed"
     reason = "the speed is taken to be that on a circle at the momentary distance, \N{SQUARE ROOT}(GM/r)"
     sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole, where planets go round a star, and something is asked that hangs on it."""
+        """Return the whole mechanism as the subject if planets orbit a star and the query needs speeds; else none."""
         return [""] if asked_name(query) in SPEEDS and orbits(study.mechanism) else []
 
     def read(self, study: Study) -> Study:
-        """With v² = GM/r."""
+        """Return the motion with speeds from v² = GM/r."""
         return Study(study.scene, with_velocities(study.trace, _as_on_a_circle))
 
 
@@ -100,18 +100,18 @@ def _as_on_a_circle(orbit: PlanetOrbit, place: Array, velocity: Array) -> Array:
 
 @simplification
 class ConstantOrbitalSpeed(OtherReading):
-    """A planet is taken to be everywhere as fast as at the start, though its distance changes."""
+    """A planet is assumed to keep its initial speed, although its distance changes."""
 
     name = "constant orbital speed"
     reason = "the speed is taken to be the same all along the orbit"
     sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole, where planets go round a star, and something is asked that hangs on it."""
+        """Return the whole mechanism as the subject if planets orbit a star and the query needs speeds; else none."""
         return [""] if asked_name(query) in SPEEDS and orbits(study.mechanism) else []
 
     def read(self, study: Study) -> Study:
-        """With velocities as large as those of the start."""
+        """Return the motion with the initial speeds throughout."""
         return Study(study.scene, with_velocities(study.trace, _as_at_first))
 
 
@@ -122,20 +122,20 @@ def _as_at_first(orbit: PlanetOrbit, place: Array, velocity: Array) -> Array:
 
 @simplification
 class NoMutualAttraction(ChangedMechanism):
-    """Bodies that move are taken not to attract each other, as planets of one star."""
+    """Moving bodies, such as planets of one star, are assumed not to attract each other."""
 
     name = "no mutual attraction"
     reason = "the attraction between the moving bodies is left out"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole, where a fixed body attracts them as well."""
+        """Return the whole mechanism as the subject if moving bodies attract each other and a fixed one; else none."""
         del query
         mechanism = study.mechanism
         mutual = [_is_mutual(mechanism, pull) for pull in mechanism.attractions]
         return [""] if any(mutual) and not all(mutual) else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism without it."""
+        """Return the mechanism without mutual attraction of moving bodies."""
         del subject
         kept = tuple(pull for pull in mechanism.attractions if not _is_mutual(mechanism, pull))
         return replace(mechanism, attractions=kept)

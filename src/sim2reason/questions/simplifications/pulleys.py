@@ -1,4 +1,4 @@
-"""Mistakes about pulleys and strings."""
+"""Misconceptions about pulleys and strings."""
 
 from collections.abc import Iterable
 from dataclasses import replace
@@ -23,30 +23,30 @@ class FixedMovablePulley(ChangedMechanism):
     sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return all movable pulleys."""
+        """Return the names of all movable pulleys."""
         del query
         return movable_pulleys(study.mechanism)
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with it held."""
+        """Return the mechanism with the pulley fixed."""
         return held(mechanism, subject)
 
 
 @simplification
 class MasslessPulley(ChangedMechanism):
-    """The inertia of all pulleys is left out."""
+    """The inertia of all pulleys is ignored."""
 
     name = "massless pulley"
     reason = "pulleys are taken as light"
     common = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return all pulleys at once."""
+        """Return all pulleys as one subject if they have mass."""
         del query
         return [""] if wheels(study.mechanism) else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with next to no mass and inertia in them."""
+        """Return the mechanism with negligible mass and inertia of pulleys."""
         del subject
         return with_bodies(mechanism, wheels(mechanism), _light)
 
@@ -58,25 +58,25 @@ def _light(body: RigidBody) -> RigidBody:
 
 @simplification
 class PulleyAsStringEnd(ChangedMechanism):
-    """A pulley in the bight of a string that is fixed at its end is taken to move as far as the string is drawn."""
+    """A pulley in the bight of a string with a fixed end is assumed to move as far as the string is drawn."""
 
     name = "pulley as string end"
     reason = "a movable pulley is taken to move as far as the end of its string, without the factor 2"
     sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the strings that run from a movable pulley to a fixed place, where they end."""
+        """Return the names of the strings that run from a movable pulley to a fixed end."""
         del query
         return dict.fromkeys(line.whole for line in study.mechanism.strings if _ends_beyond(study.mechanism, line))
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """With the string tied to the pulley, as if it were drawn up by one piece of it instead of two."""
+        """Return the mechanism with the string tied to the pulley, as if one piece drew it up instead of two."""
         lines = (line if line.whole != subject else _tied(mechanism, line) for line in mechanism.lines)
         return replace(mechanism, lines=tuple(lines))
 
 
 def _ends_beyond(mechanism: Mechanism, line: Line) -> str | None:
-    """Return the movable pulley beyond which a line ends at a fixed place; None if there is none."""
+    """Return the name of the movable pulley beyond which a line ends at a fixed point; None if there is none."""
     pulleys = movable_pulleys(mechanism)
     for end, before in (line.through[:2], line.through[:-3:-1]):
         name = carried(mechanism, mechanism.site[before].body)
@@ -86,7 +86,7 @@ def _ends_beyond(mechanism: Mechanism, line: Line) -> str | None:
 
 
 def _tied(mechanism: Mechanism, line: Line) -> Line:
-    """Return a part of such a string, which ends at the pulley; one that is all beyond it pulls at nothing."""
+    """Return the part of such a string up to the pulley; without force if the part lies beyond it."""
     parts = (part for part in mechanism.lines if part.whole == line.whole)
     pulley = next(name for part in parts if (name := _ends_beyond(mechanism, part)))
     turned = {c.name for c in mechanism.coordinates if carried(mechanism, c.body) == pulley}
@@ -104,14 +104,14 @@ def _tied(mechanism: Mechanism, line: Line) -> Line:
 
 @simplification
 class PulleyRotationLeftOut(ChangedMechanism):
-    """The rotational inertia of a pulley is left out; its mass is still lifted and accelerated."""
+    """The rotational inertia of a pulley is ignored; its mass is still lifted and accelerated."""
 
     name = "pulley rotation left out"
     reason = "the rotational inertia of {subject} is left out"
     common = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return each pulley whose mass alone matters too, and each of several.
+        """Return each pulley whose mass also matters otherwise, and each of several pulleys.
 
         A single one with a fixed axle is covered by taking all pulleys as light.
         """
@@ -121,51 +121,51 @@ class PulleyRotationLeftOut(ChangedMechanism):
         return [name for name in turning if len(turning) > 1 or carried(mechanism, name) is not None]
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with next to no moment of inertia."""
+        """Return the mechanism with a negligible moment of inertia of the pulley."""
         return with_bodies(mechanism, [subject], without_rotation)
 
 
 def without_rotation(body: RigidBody) -> RigidBody:
-    """Return a body of the same mass with next to no moment of inertia, so that no equation becomes singular."""
+    """Return a body of the same mass with a small moment of inertia, which keeps the equations regular."""
     xx, yy, zz, xy, xz, yz = (NEARLY_NOTHING * part for part in body.inertia)
     return replace(body, inertia=(xx, yy, zz, xy, xz, yz))
 
 
 @simplification
 class PulleyRotationsLeftOut(ChangedMechanism):
-    """The rotational inertia of all pulleys is left out; the mass of those that move along is kept."""
+    """The rotational inertia of all pulleys is ignored; the mass of movable ones is kept."""
 
     name = "pulley rotations left out"
     reason = "the rotational inertia of all pulleys is left out"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return all of several at once, if one of them moves along; else taking them as light is the same."""
+        """Return all pulleys as one subject if there are several, at least one of them movable."""
         del query
         turning = wheels(study.mechanism)
         several = len(turning) > 1 and any(carried(study.mechanism, name) is not None for name in turning)
         return [""] if several else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with next to no moments of inertia."""
+        """Return the mechanism with negligible moments of inertia of pulleys."""
         del subject
         return with_bodies(mechanism, wheels(mechanism), without_rotation)
 
 
 @simplification
 class StringsLeftOut(ChangedMechanism):
-    """Each body is taken to move as if it were alone, without the strings between them."""
+    """Each body is assumed to move independently, without the strings between them."""
 
     name = "strings left out"
     reason = "each body is taken to move as if no string held it"
     sound_if_same = True
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole, where there are strings."""
+        """Return the whole mechanism as the subject if there are strings; else none."""
         del query
         return [""] if study.mechanism.strings else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """With strings that pull at nothing; what has no mass has next to none, so that it can fall."""
+        """Return the mechanism with strings without tension and, instead of massless bodies, very light ones."""
         del subject
         light = [body.name for body in mechanism.bodies if not body.mass and body.coordinates]
         mass = NEARLY_NOTHING * sum(body.mass for body in mechanism.bodies)
@@ -176,26 +176,26 @@ class StringsLeftOut(ChangedMechanism):
 
 @simplification
 class TautStrings(ChangedMechanism):
-    """Strings are taken to stay taut, and would push where they should go slack."""
+    """Strings are assumed to stay taut, and to push where they should go slack."""
 
     name = "taut strings"
     reason = "a string that goes slack is taken as taut"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole, where one is slack before the moment."""
+        """Return the whole mechanism as the subject if a string is slack before the moment; else none."""
         state = study.trace.state
         before = state.times <= asked_until(query, study)
         slack = any((state.tension[line.name][before] <= 0.0).any() for line in _plain(study.mechanism))
         return [""] if slack else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with rods in their place."""
+        """Return the mechanism with rods in place of strings."""
         del subject
         names = [line.name for line in _plain(mechanism)]
         return with_lines(mechanism, names, lambda line: replace(line, law=Rigid()))
 
 
 def _plain(mechanism: Mechanism) -> list[Line]:
-    """Return the strings that are taut from the start and not drawn in."""
+    """Return the strings that are taut at the start and not drawn in."""
     law = Inextensible()
     return [line for line in mechanism.strings if line.law == law]

@@ -1,4 +1,4 @@
-"""Mistakes about rockets."""
+"""Misconceptions about rockets."""
 
 from collections.abc import Iterable
 from dataclasses import replace
@@ -16,7 +16,7 @@ from sim2reason.scenes.dsl.vectors import Vector, minus, scale
 
 @simplification
 class CommonLogarithm(BurningSlip):
-    """The velocity is the exhaust speed times the logarithm to base ten of the ratio of the masses."""
+    """The velocity change is computed with the logarithm to base ten of the mass ratio."""
 
     name = "common logarithm"
     reason = "the logarithm to base ten is taken for the natural one"
@@ -34,7 +34,7 @@ class CommonLogarithm(BurningSlip):
 
 @simplification
 class ConstantMass(BurningSlip):
-    """A rocket is taken to keep its mass as it burns fuel."""
+    """A rocket is assumed to keep its mass as it burns fuel."""
 
     name = "constant mass"
     reason = "the mass of {subject} is taken as constant"
@@ -60,7 +60,7 @@ class FuelAsRest(BurningSlip):
 
 @simplification
 class FuelLeftOut(BurningSlip):
-    """A rocket is taken to have its empty mass from the start."""
+    """A rocket is assumed to have its empty mass from the start."""
 
     name = "fuel left out"
     reason = "the mass of the fuel of {subject} is left out"
@@ -79,25 +79,25 @@ class FuelLeftOut(BurningSlip):
 
 @simplification
 class UniformGravity(ChangedMechanism):
-    """What leaves a planet is taken to weigh as much everywhere as where it starts."""
+    """The weight of a body that leaves a planet is assumed to stay constant."""
 
     name = "uniform gravity"
     reason = "gravity is taken to be everywhere what it is at the start"
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole, where one body burns and another attracts it."""
+        """Return the whole mechanism as the subject if a rocket is attracted by one other body; else none."""
         del query
         return [""] if len(study.mechanism.attractions) == 1 and study.mechanism.burns else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with uniform gravity instead."""
+        """Return the mechanism with uniform gravity in place of the attraction."""
         del subject
         (pull,) = mechanism.attractions
         return replace(mechanism, attractions=(), gravity=_free_fall(mechanism, pull))
 
 
 def _free_fall(mechanism: Mechanism, pull: Attraction) -> Vector:
-    """Return the acceleration, m/s², that the attraction gives at the start to the one of both that burns."""
+    """Return the initial acceleration, m/s², of the rocket due to the attraction."""
     falling = mechanism.burns[0].body
     other = pull.b if falling == pull.a else pull.a
     frames = start(mechanism)

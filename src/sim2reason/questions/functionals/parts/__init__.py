@@ -1,1 +1,1 @@
-"""What several functionals share."""
+"""Base classes and helpers of functionals."""

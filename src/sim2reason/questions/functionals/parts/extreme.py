@@ -1,4 +1,4 @@
-"""The greatest or least value of a quantity: a smooth extreme within the stretch, and none other."""
+"""Base class of the greatest or least value of a quantity: a smooth, unique extreme within an interval."""
 
 from math import inf
 from typing import ClassVar
@@ -17,10 +17,10 @@ from sim2reason.simulation.quantities import QUANTITIES, Quantity
 from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.simulation.trace import IMPACTS, Trace
 
-ROUNDS, PIECES = 3, 64  # of closing in on a top between neighbours, each time on two of so many pieces
-FLAT = 1e-9  # of the value: what differs by less is a plateau, which has no top
-TWIN = 1e-9  # of the stretch: nearer samples are the two sides of an event, of which the later one is looked at
-CLEAR = 0.01  # of the value: how far it lies beyond those at both ends of the stretch
+ROUNDS, PIECES = 3, 64  # refinements of a maximum between neighbouring samples, and pieces per refinement
+FLAT = 1e-9  # of the value: values that differ by less form a plateau, which has no maximum
+TWIN = 1e-9  # of the interval: nearer samples are the two sides of an event, of which the later one counts
+CLEAR = 0.01  # of the value: least excess over the values at both ends of the interval
 
 
 PLACELESS = frozenset(
@@ -41,11 +41,11 @@ PLACELESS = frozenset(
 
 
 class Extreme(Functional):
-    """The greatest or least value of a function of the state, which must be positive.
+    """The base class of greatest and least values of a function of the state; answers are positive.
 
-    There is no answer if the function is greatest at an end of the stretch, at an event, or on a plateau: only a smooth
-    maximum within the stretch counts, so that no question depends on the side of a jump or can be read off the text. A
-    force or an acceleration has no greatest value in a stretch with an impact.
+    There is no answer if the function is greatest at an end of the interval, at an event, or on a plateau: only a
+    smooth maximum within the interval counts, so that no answer depends on the side of a jump or is stated in the text.
+    A force or an acceleration has no greatest value in an interval with an impact.
 
     Class data:
         quantity: the quantity to maximize or minimize, by magnitude if it is a vector or has a sign.
@@ -61,7 +61,7 @@ class Extreme(Functional):
     impulsive: ClassVar[bool] = False
 
     def __init_subclass__(cls) -> None:
-        """Take from the quantity what is the same."""
+        """Take undeclared class data from the quantity."""
         if not hasattr(cls, "quantity"):
             return
         quantity = cls.quantity
@@ -69,14 +69,14 @@ class Extreme(Functional):
         cls.center = quantity.center
 
     def height(self, state: State, name: str) -> Array:
-        """Return what is greatest, (n,): by default the size of the quantity, of the least value with a minus sign."""
+        """Return the function to be maximized, (n,): by default the quantity's magnitude, negated for a least value."""
         values = self.quantity.evaluate(state, name)
         if self.sense is not None:
             return self.sign * (values @ np.array(self.sense.vector))
         return self.sign * (np.abs(values) if values.ndim == 1 else np.linalg.norm(values, axis=1))
 
     def channels(self, mechanism: Mechanism, name: str) -> tuple[Channel, ...]:
-        """Return the quantity."""
+        """Return the channel of the quantity."""
         del mechanism
         return (Channel(name, self.quantity.name),)
 
@@ -85,13 +85,13 @@ class Extreme(Functional):
         return QUANTITIES[self.quantity.name].present(words.mechanism, name)
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """Return phrases of moments; a motion repeated elsewhere counts only where positions do not matter."""
+        """Return phrases for the interval; for a motion repeated elsewhere only if positions do not matter."""
         if not isinstance(moment, WholeMotion):
             return super().when(moment, words, name)
         return moment.phrases(words) if not moment.drifts or self.name in PLACELESS else ()
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """Return the size of the highest of all tops, if nothing in the stretch is higher."""
+        """Return the greatest value in the quantity's unit, if it is a maximum inside the interval; else None."""
         if self._unbounded(trace, end):
             return None
         times, heights = self._sampled(trace, name, end)
@@ -115,11 +115,11 @@ class Extreme(Functional):
         return value if value > 0.0 and not (jumps or flat or beyond or ends > top - CLEAR * size) else None
 
     def loose_value(self, trace: Trace, name: str, end: float) -> float | None:
-        """Return the greatest value, wherever in the stretch it is."""
+        """Return the greatest value anywhere in the interval, its ends included."""
         return None if self._unbounded(trace, end) else self.between(trace, name, 0.0, end)
 
     def between(self, trace: Trace, name: str, began: float, end: float) -> float | None:
-        """Return the greatest value from one time to another, s, wherever it is; None if it is not always known."""
+        """Return the greatest value between two times, s, ends included; None if it is not always defined."""
         times, heights = self._sampled(trace, name, end)
         within = times >= began
         times, heights = times[within], heights[within]
@@ -135,14 +135,14 @@ class Extreme(Functional):
         return self.impulsive and any(event.kind in IMPACTS and event.time <= end for event in trace.events)
 
     def _sampled(self, trace: Trace, name: str, end: float) -> tuple[Array, Array]:
-        """Return the function on the scan up to a time, s, and at that time."""
+        """Return the times and values of the function on the scan up to a time, s, and at that time."""
         scan = trace.scan
         within = scan.times < end
         last = self.height(trace.at(end), name)
         return np.append(scan.times[within], end), np.append(self.height(scan, name)[within], last)
 
     def _highest(self, trace: Trace, name: str, times: Array, tops: NDArray[np.intp]) -> tuple[int, float]:
-        """Return the sample nearest to the highest top, and how high that is."""
+        """Return the index of the sample nearest to the highest maximum, and the value of that maximum."""
         low, high = times[tops - 1], times[tops + 1]
         shares = np.linspace(0.0, 1.0, PIECES + 1)
         best = np.zeros(len(tops))
@@ -157,9 +157,9 @@ class Extreme(Functional):
 
 
 def _tops(heights: Array) -> tuple[NDArray[np.intp], float]:
-    """Return the inner samples higher than both neighbours that may lie at the highest top, and about how high that is.
+    """Return the local maxima of samples that may lie at the highest maximum, and an estimate of its value.
 
-    Parabolas through each three samples tell; of two equal samples with a top between them both may count.
+    Maxima are estimated by parabolas through three samples; two equal samples around a maximum may both be returned.
     """
     before, here, after = heights[:-2], heights[1:-1], heights[2:]
     size = FLAT * np.abs(here)

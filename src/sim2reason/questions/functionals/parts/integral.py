@@ -1,4 +1,4 @@
-"""Integrals of rates, counts of events, and jumps of velocity in collisions."""
+"""Base classes of integrals and event counts, and velocity jumps in collisions."""
 
 from abc import abstractmethod
 from collections.abc import Callable, Iterable, Sequence
@@ -21,7 +21,7 @@ from sim2reason.simulation.trace import Event, Trace
 
 
 def encounter(moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-    """Return a text such as *in their second collision, when A hits the ground for the second time*.
+    """Return phrases such as *in their second collision* for a moment just after a collision of `name`; else none.
 
     Empty for a moment that is not just after one of `name`.
     """
@@ -40,15 +40,15 @@ def encounter(moment: Moment, words: Words, name: str) -> tuple[str, ...]:
     )
 
 
-MOST = 12  # that are worth counting
-CLEAR = 0.03  # of the stretch: how far its end must be from what is counted, unless that is the end itself
+MOST = 12  # greatest number worth counting
+CLEAR = 0.03  # of the interval: least distance of its end from a counted event, unless it is that event
 
 
 class EventCount(Functional):
-    """How often something happens from the start to a moment, that moment included.
+    """The base class of counts of events from the start to a moment, inclusive.
 
     Class data:
-        fewest: from how many on it is asked; two is what most people would guess.
+        fewest: the smallest count asked for; two would be easy to guess.
     """
 
     kind, unit, least = "count", "", 1.5
@@ -56,58 +56,58 @@ class EventCount(Functional):
 
     @abstractmethod
     def times(self, trace: Trace, name: str) -> Sequence[float]:
-        """Return when it happens, s, in order."""
+        """Return the times of the counted events, s, in order."""
 
     def when(self, moment: Moment, words: Words, name: str) -> tuple[str, ...]:
-        """Not of a stretch that ends with a collision by its number, which may tell the answer."""
+        """Return phrases for the interval; none if it ends with a numbered collision, which may reveal the answer."""
         return () if isinstance(moment, Collided | Bounced) else super().when(moment, words, name)
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """Return how many there are."""
+        """Return the number of events up to the end."""
         return float(sum(time <= end for time in self.times(trace, name)))
 
     def worth(self, study: Study, name: str, end: float) -> bool:
-        """Return whether there are some, and none where no one could tell by stated numbers whether it counts."""
+        """Return whether the count is in the usual range and no event is too close to the end of the interval."""
         times = self.times(study.trace, name)
         near = any(0.0 < abs(time - end) < CLEAR * end for time in times)
         return self.fewest <= (self.value(study.trace, name, end) or 0.0) <= MOST and not near
 
 
-LATE, NOTHING = 0.9, 1e-6  # of the stretch; of the greatest rate
+LATE, NOTHING = 0.9, 1e-6  # of the interval; of the greatest rate
 
 
 class Integral(Functional):
-    """The integral of a rate, which has no impulses, from the start to a moment."""
+    """The base class of integrals, from the start to a moment, of a rate without impulses."""
 
     kind = "sum"
 
     @abstractmethod
     def rate(self, state: State, name: str) -> Array:
-        """Return what is integrated, (n,), in the unit per second."""
+        """Return the integrand, (n,), in the unit per second."""
 
     def corners(self, trace: Trace, name: str) -> Iterable[float]:
-        """Return when the rate has a corner though nothing happens, s; by default never."""
+        """Return the times, s, at which the rate has a kink although no event occurs; by default none."""
         del trace, name
         return ()
 
     def worth(self, study: Study, name: str, end: float) -> bool:
-        """Return whether it still grows shortly before the end of the stretch: else that end decorates the question."""
+        """Return whether the integral still grows near the end of the interval, so that the end matters."""
         scan = study.trace.scan
         rates, within = np.abs(self.rate(scan, name)), scan.times <= end
         late = rates[within & (scan.times >= LATE * end)]
         return float(late.max(initial=0.0)) > NOTHING * float(rates[within].max(initial=0.0))
 
     def value(self, trace: Trace, name: str, end: float) -> float | None:
-        """By Gauss's rule on the engine's steps."""
+        """Return the integral by Gaussian quadrature on the engine's steps."""
         return integral(trace, lambda state: self.rate(state, name), end, self.corners(trace, name))
 
 
 IMPACTS = frozenset({"collision", "taut", "land"})
-BALANCE = 1e-6  # of an impulse: by how much two may differ that are one
+BALANCE = 1e-6  # relative: largest difference between equal impulses
 
 
 def jumps(trace: Trace, of: Callable[[State], Array], times: Iterable[float]) -> list[Array]:
-    """By how much a function of the state differs just after each of some instants, s, from just before."""
+    """Return the jump of a function of the state at each of some times, s."""
     return [
         np.asarray(of(trace.at(time))[0] - of(trace.at(float(np.nextafter(time, 0.0))))[0])
         for time in dict.fromkeys(times)  # several events may share an instant
@@ -115,17 +115,17 @@ def jumps(trace: Trace, of: Callable[[State], Array], times: Iterable[float]) ->
 
 
 def hits(trace: Trace, end: float, chosen: Callable[[Event], bool] = lambda _: True) -> list[float]:
-    """Return the times, s, of collisions of a kind up to an instant, in order, each event for itself."""
+    """Return the times, s, of all collision events up to a time that satisfy a predicate, in order."""
     return [event.time for event in trace.events if event.kind == "collision" and event.time <= end and chosen(event)]
 
 
 def is_smooth(trace: Trace, end: float) -> bool:
-    """Return whether no impact happens up to an instant, so that no force is greater than any."""
+    """Return whether no impact occurs up to a time, s, so that forces stay finite."""
     return not any(event.kind in IMPACTS and event.time <= end for event in trace.events)
 
 
 def energy_lost(trace: Trace, times: Iterable[float]) -> float:
-    """Return the kinetic energy, J, that all bodies lose together at some instants."""
+    """Return the kinetic energy, J, that all bodies together lose at some times, s."""
 
     def kinetic(state: State) -> Array:
         return np.sum([KineticEnergy.evaluate(state, body) for body in massive(state.mechanism)], axis=0)
@@ -139,12 +139,12 @@ def massive(mechanism: Mechanism) -> Sequence[str]:
 
 
 def energies(mechanism: Mechanism) -> tuple[Channel, ...]:
-    """Return what a loss of kinetic energy hangs on."""
+    """Return the channels on which a loss of kinetic energy depends."""
     return tuple(Channel(name, KineticEnergy.name) for name in massive(mechanism))
 
 
 def is_loose(mechanism: Mechanism, name: str) -> bool:
-    """Return whether nothing but faces holds a body at an impact: no line, no hinge, no rider."""
+    """Return whether nothing constrains a body in an impact: no string, rod, hinge, carrier or rider."""
     tied = {mechanism.site[s].body for line in mechanism.lines if _holds(line.law) for s in line.through}
     body = mechanism.body[name]
     ridden = any(other.parent == name for other in mechanism.bodies)

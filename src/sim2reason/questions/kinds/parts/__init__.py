@@ -1,1 +1,1 @@
-"""What several kinds of question share."""
+"""Base classes of question kinds."""

@@ -1,4 +1,4 @@
-"""What kinds of question share that ask how the answer to another question depends on one number of the scene."""
+"""Base classes of questions about the dependence of another question's answer on one number of the scene."""
 
 from abc import abstractmethod
 from collections.abc import Iterable, Iterator
@@ -21,15 +21,15 @@ from sim2reason.simulation.quantities import QUANTITIES
 
 INNER = ("start", "state", "event", "time_to_event", "period", "sum", "extremum")
 """The kinds whose answers are compared."""
-SAMPLES = 41  # of a motion that the second engine is asked about
-DRAWS = 2  # of questions of such kinds
-AWKWARD = "the magnitude of the change"  # of which no change is asked for
-NUMBERS = 3  # that are tried with each
+SAMPLES = 41  # instants of a motion that the second engine simulates
+DRAWS = 2  # drawn inner questions
+AWKWARD = "the magnitude of the change"  # the prefix of a noun phrase of which no change is asked for
+NUMBERS = 3  # numbers tried with each inner question
 
 
 @dataclass(frozen=True, slots=True)
 class NestedQuery(Query):
-    """A query about the answer to another one, as a function of the number at an address of the scene.
+    """A query about another query's answer as a function of the number at an address of the scene.
 
     The target and the moment are those of the other query; `base` is the rest of it.
     """
@@ -39,7 +39,7 @@ class NestedQuery(Query):
 
     @property
     def inner(self) -> Query:
-        """The other query."""
+        """Return the inner query."""
         assert self.base is not None
         return replace(self.base, target=self.target, moment=self.moment)
 
@@ -50,12 +50,12 @@ class NestedQuery(Query):
 
     @property
     def subject(self) -> str:
-        """That of the other query."""
+        """Return the subject of the inner query."""
         return self.inner.subject
 
 
 class NestedKind(Kind):
-    """A question about how the answer to another question depends on a number of the scene.
+    """The base class of kinds that ask how another question's answer depends on a number of the scene.
 
     Class data:
         inner: the kinds of the other question.
@@ -66,7 +66,7 @@ class NestedKind(Kind):
     inner: ClassVar[tuple[str, ...]] = INNER
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """Return a question of another kind and a number, if they are worth it."""
+        """Return a random query about an inner question and a number that is worth asking; None if there is none."""
         if study.mechanism is not study.scene.mechanism:
             return None
         shares = np.array([KINDS[name].share for name in self.inner])
@@ -82,65 +82,65 @@ class NestedKind(Kind):
         return None
 
     def _numbers(self, study: Study, words: Words, rng: np.random.Generator) -> Iterable[str]:
-        """The addresses of the numbers that may change, in a random order; by default of all that can be named."""
+        """Return the addresses of numbers that may vary, in random order; by default all that have names."""
         del study
         paths = list(words.named)
         order: list[int] = rng.permutation(len(paths)).tolist()
         return [paths[number] for number in order]
 
     def _is_named(self, inner: Query, words: Words, targets: Targets) -> bool:
-        """Return whether the answer to another question has a name about which this may be asked."""
+        """Return whether the inner answer has a noun phrase that this kind can use."""
         noun = targets.get(inner.target) if inner.target is not None else None
         names = KINDS[inner.kind].called(inner, words, noun) if noun is not None or inner.target is None else ()
         return bool(names) and self._can_be_about(names[0])
 
     def _can_be_about(self, name: str) -> bool:
-        """Return whether one would ask this of what has a name; by default not of how much something changes."""
+        """Return whether this kind may ask about a noun phrase; by default not about a change."""
         return not name.startswith(AWKWARD)
 
     @abstractmethod
     def _worth(self, inner: Query, path: str, study: Study, rng: np.random.Generator) -> Query | None:
-        """Return a query about another query and a number, or None if it is not worth asking."""
+        """Return a query about an inner query and a number; None if it is not worth asking."""
 
     def of_motion(self, query: Query) -> bool:
-        """As the other question has it."""
+        """Return whether the inner answer may depend on the initial motion."""
         inner = inner_of(query)
         return KINDS[inner.kind].of_motion(inner)
 
     def channels(self, query: Query) -> tuple[Channel, ...]:
-        """Return those of the other question."""
+        """Return the channels of the inner query."""
         inner = inner_of(query)
         return KINDS[inner.kind].channels(inner)
 
     def indifferent(self, query: Query, study: Study, other: Study) -> bool:
-        """To what the other question is indifferent to."""
+        """Return whether the inner answer is unaffected by the differences between the scenes."""
         inner = inner_of(query)
         return KINDS[inner.kind].indifferent(inner, study, other)
 
     def names(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """Return the noun phrases for the answer to the other question."""
+        """Return the noun phrases for the inner answer."""
         inner = inner_of(query)
         return KINDS[inner.kind].called(inner, words, noun)
 
     def inner_parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
-        """Yield all other questions that a sentence could speak of."""
+        """Yield all inner queries that a sentence may contain."""
         for name in self.inner:
             yield from filter(is_plain, KINDS[name].parsed(text, study, words, targets))
 
 
 def inner_of(query: Query) -> Query:
-    """Return the other query that a query is about."""
+    """Return the inner query of a nested query."""
     assert isinstance(query, NestedQuery)
     return query.inner
 
 
 def stripped(inner: Query) -> Query:
-    """Return a query without its target and moment, which the query about it has itself."""
+    """Return a query without its target and moment, which the nested query has itself."""
     return replace(inner, target=None, moment=None)
 
 
 def answered(inner: Query, study: Study | None, *, loosely: bool = False) -> float | None:
-    """Return the answer to a query in a motion as far as that may be used; None without a motion or an answer."""
+    """Return the answer to a query in a motion, if it is usable; None without a motion or an answer."""
     if study is None or not _has_subject(inner, study):
         return None
     kind = KINDS[inner.kind]
@@ -152,7 +152,7 @@ def answered(inner: Query, study: Study | None, *, loosely: bool = False) -> flo
 
 
 def vouched(inner: Query, other: Study) -> str:
-    """Why both engines don't vouch for the answer to a query in a motion that is followed afresh; empty if they do."""
+    """Return why the answer to a query in a newly simulated motion is not certified; empty if it is."""
     kind, least = KINDS[inner.kind], SHORTEST * other.scene.horizon
     until = max(BEYOND * (kind.time(inner, other) or 0.0), least)
     seen, certificate = witnessed(Study.of(other.scene, np.linspace(0.0, until, SAMPLES)).trace)
@@ -160,18 +160,18 @@ def vouched(inner: Query, other: Study) -> str:
 
 
 def _has_subject(inner: Query, study: Study) -> bool:
-    """Return whether a changed mechanism still has what is asked about."""
+    """Return whether a changed mechanism still has the query's subject."""
     target = inner.target
     return target is None or target.subject in QUANTITIES[target.quantity].subjects(study.mechanism)
 
 
 def _is_natural(inner: Query) -> bool:
-    """Return whether a query is worth comparing: it is plain, and its moment is an event, not an arbitrary instant."""
+    """Return whether a query is worth comparing: it is plain, and its moment is an event, not an arbitrary time."""
     return is_plain(inner) and not isinstance(inner.moment, AtTime)
 
 
 def is_plain(inner: Query) -> bool:
-    """Return whether it asks for a size of a quantity that has a value as a number."""
+    """Return whether a query asks neither for a count nor for a component along a variable direction."""
     if isinstance(inner, StretchQuery):
         return FUNCTIONALS[inner.functional].kind != "count"
     return inner.target is None or inner.target.sense is None or inner.target.sense.fixed

@@ -1,4 +1,4 @@
-"""What kinds of question share that ask for a functional of a stretch of motion."""
+"""Base class of questions for a functional over an interval of the motion."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
@@ -25,37 +25,37 @@ from sim2reason.questions.words import Words
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.certify import Certificate
 
-ADVERBS = ("in all", "altogether")  # which stand at the end of a sentence only
-ENDS = 3  # of stretches that it tries for each
-TRIES = 5  # functionals of subjects that one draw looks at
-EVENTS = 3  # classes of events that offer ends of stretches to one draw
+ADVERBS = ("in all", "altogether")  # adverbs that can only end a sentence
+ENDS = 3  # ends of intervals tried for each functional
+TRIES = 5  # functionals tried in one draw
+EVENTS = 3  # classes of events used as ends of intervals in one draw
 
 
 @dataclass(frozen=True, slots=True)
 class StretchQuery(Query):
-    """What is asked about a functional of a subject, over the stretch that ends with the moment."""
+    """A query for a functional of a subject over the interval that ends with the moment."""
 
     functional: str = ""
     name: str = ""
 
     @property
     def subject(self) -> str:
-        """That of the functional."""
+        """Return the subject of the functional."""
         return self.name
 
 
 class StretchKind(Kind):
-    """What is a functional over the stretch from the start to a moment? Each functional says of which kind it is.
+    """The base class of kinds that ask for a functional from the start to a moment; each functional declares its kind.
 
     Class data:
-        ends_matter: whether the answer hangs on where the stretch ends. Where it does not, no stated number may say
-            that; where it does, and is no whole number, another end must change it.
+        ends_matter: whether the answer depends on the end of the interval. If it does not, no stated number may give
+            the end; if it does, and is not an integer, another end must change the answer.
     """
 
     ends_matter: ClassVar[bool] = True
 
     def draw(self, study: Study, words: Words, targets: Targets, rng: np.random.Generator) -> Query | None:
-        """Return a functional that a stretch of this motion has, and that is worth asking for."""
+        """Return a query for a random functional of the motion that is worth asking; None if there is none."""
         del targets
         offers = any(True for _ in self._offered(words))
         return self._to(_ends(study, words, rng), study, words, rng) if offers else None
@@ -63,12 +63,12 @@ class StretchKind(Kind):
     def at(
         self, moment: Moment, study: Study, words: Words, targets: Targets, rng: np.random.Generator
     ) -> Query | None:
-        """Return a functional of the stretch that ends with that moment."""
+        """Return a query for a functional over the interval that ends with the moment; None without one."""
         del targets
         return self._to([moment], study, words, rng)
 
     def _to(self, ends: Iterable[Moment], study: Study, words: Words, rng: np.random.Generator) -> Query | None:
-        """Return a functional of a stretch with one of these ends."""
+        """Return a query for a functional over an interval with one of the given ends; None without one."""
         offered = [found for found in self._offered(words) if found[0].drawn_by_recipes]
         if not self.ends_matter:
             ends = (moment for moment in ends if not moment.stated)
@@ -98,7 +98,7 @@ class StretchKind(Kind):
         return functional.worth(study, query.name, end) and (self._end_matters(query, study) or self.whole)
 
     def _end_matters(self, query: StretchQuery, study: Study) -> bool:
-        """Return whether another end would change the answer, if one may ask that of this kind."""
+        """Return whether another end of the interval would change the answer; True for kinds without this condition."""
         functional, moment = FUNCTIONALS[query.functional], query.moment
         if not self.ends_matter or moment is None:
             return True
@@ -111,12 +111,12 @@ class StretchKind(Kind):
         return time is not None and hangs_on(moment, study.trace, time, values)
 
     def answer(self, query: Query, study: Study) -> float | None:
-        """Return the functional's value."""
+        """Return the value of the functional."""
         assert isinstance(query, StretchQuery)
         return _value(query, study)
 
     def loose_answer(self, query: Query, study: Study) -> float | None:
-        """Also where a greatest value is at an end of the stretch."""
+        """Return the value of the functional, also an extreme at an end of the interval."""
         assert isinstance(query, StretchQuery)
         found, end = _value(query, study), _end(query, study)
         if found is not None or end is None:
@@ -124,7 +124,7 @@ class StretchKind(Kind):
         return FUNCTIONALS[query.functional].loose_value(study.trace, query.name, end)
 
     def shapes(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """As in: what is the greatest speed of A before the string first goes slack?"""
+        """Return sentences such as *what is the greatest speed of A before the string first goes slack?*."""
         del noun
         assert isinstance(query, StretchQuery)
         moment, functional = query.moment, FUNCTIONALS[query.functional]
@@ -142,7 +142,7 @@ class StretchKind(Kind):
         )
 
     def called(self, query: Query, words: Words, noun: Noun | None) -> tuple[str, ...]:
-        """As in: the greatest speed of A before the string first goes slack; no count is stated as a condition."""
+        """Return noun phrases such as *the greatest speed of A before the string first goes slack*; none for counts."""
         del noun
         assert isinstance(query, StretchQuery)
         moment, functional = query.moment, FUNCTIONALS[query.functional]
@@ -153,7 +153,7 @@ class StretchKind(Kind):
         return tuple(f"{named.phrase} {again(moment, named.phrase, when, words)}" for when in whens)
 
     def finds(self, words: Words) -> tuple[str, ...]:
-        """Return the names of all functionals that apply to something in the scene."""
+        """Return the names of all functionals that apply to a subject of the scene."""
         return tuple(found.name for found in functionals(self.name) if found.of.names(words.mechanism))
 
     def posed(self, asked: StructuredQuestion, study: Study, words: Words) -> Query | None:
@@ -170,7 +170,7 @@ class StretchKind(Kind):
         return StretchQuery(self.name, None, end, found.name, resolved("of", asked.of, names))
 
     def parsed(self, text: str, study: Study, words: Words, targets: Targets) -> Iterator[Query]:
-        """Yield every functional of every subject that it names, to every moment that it speaks of."""
+        """Yield a query for every functional, subject and moment that a sentence names."""
         del targets
         heard = [
             (functional, name)
@@ -186,13 +186,13 @@ class StretchKind(Kind):
                     yield StretchQuery(self.name, None, moment, functional.name, name)
 
     def measured(self, query: Query) -> Measured:
-        """Return the functional."""
+        """Return the measure of the functional."""
         assert isinstance(query, StretchQuery)
         found = FUNCTIONALS[query.functional]
         return Measured(found.name, found.unit, found.least, whole=self.whole)
 
     def doubt(self, query: Query, study: Study, certificate: Certificate | None) -> str:
-        """Return why the channels of the functional, or events up to its end, are not certified; empty if they are."""
+        """Return why the functional's channels, or events up to its end, are not certified; empty if they are."""
         assert isinstance(query, StretchQuery)
         channels = FUNCTIONALS[query.functional].channels(study.mechanism, query.name)
         return doubt(certificate, self.time(query, study), query.moment, channels)
@@ -205,7 +205,7 @@ def functionals(kind: str) -> tuple[Functional, ...]:
 
 @lru_cache(maxsize=128)
 def nouns(functional: Functional, words: Words) -> Mapping[str, Noun]:
-    """By name, the subjects for which a text can ask a functional, and how."""
+    """Return the noun phrases of a functional by subject, for all subjects that the text can name."""
     return functional.asked(words)
 
 
@@ -222,7 +222,7 @@ def _fitting(ends: Iterable[Moment], functional: Functional, words: Words, name:
 
 
 def _end(query: StretchQuery, study: Study) -> float | None:
-    """Return the last instant that counts, s."""
+    """Return the end of the interval, s, just before or at the moment; None if the moment does not occur."""
     if query.moment is None:
         return None
     time = study.time(query.moment)
@@ -230,7 +230,7 @@ def _end(query: StretchQuery, study: Study) -> float | None:
 
 
 def _ends(study: Study, words: Words, rng: np.random.Generator) -> Iterator[Moment]:
-    """Moments of a motion that may end a stretch: the whole motion, a few that the motion brings about, and a time."""
+    """Yield moments that may end an interval: the whole motion, some events and a stated time."""
     events = 0
     timed = has_formula_of_time(study.mechanism)
     classes = [cls for cls in by_cause() if cls.drawn_by_recipes and (timed or cls is not AtTime)]
@@ -246,5 +246,5 @@ def _ends(study: Study, words: Words, rng: np.random.Generator) -> Iterator[Mome
 
 
 def _rank(moment: type[Moment]) -> int:
-    """Return the rank of an end: whole motions take the fewest words, and instants are arbitrary."""
+    """Return the rank of a class of ends: whole motions first, stated times last."""
     return 0 if issubclass(moment, WholeMotion) else 2 if moment is AtTime else 1

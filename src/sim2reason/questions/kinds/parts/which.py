@@ -1,4 +1,4 @@
-"""Base classes of questions for one of two candidates, and for a number: a difference or a ratio."""
+"""Base classes of questions that compare two candidates and ask for a difference or a ratio."""
 
 from abc import abstractmethod
 from collections.abc import Iterator
@@ -16,12 +16,12 @@ from sim2reason.simulation.channels import Channel
 
 OR = " or "
 """Separator of the two subjects or moments in a structured question for one of them."""
-CLEARLY = 0.1  # relative: by how much both must differ
+CLEARLY = 0.1  # relative: least difference between the two values
 
 
 @dataclass(frozen=True, slots=True)
 class WhichQuery(Query):
-    """A pair of queries, one of which the answer names; in the motion for which it was drawn, the first.
+    """A pair of queries, one of which the answer names: the first one in the motion for which it was drawn.
 
     The target and the moment are those of the first query, `base` is the kind of both, and `other` is the second one.
     """
@@ -31,26 +31,26 @@ class WhichQuery(Query):
 
     @property
     def both(self) -> tuple[Query, Query]:
-        """The two queries, the one that the answer names first."""
+        """Return the two queries, the correct one first."""
         assert self.other is not None
         return Query(self.base, self.target, self.moment), self.other
 
     @property
     def exchanged(self) -> "WhichQuery":
-        """The same pair in the other order."""
+        """Return the same pair in the other order."""
         first, second = self.both
         return replace(self, target=second.target, moment=second.moment, other=first)
 
     @property
     def subjects(self) -> tuple[str, ...]:
-        """Names of everything that either query is about."""
+        """Return the names of all subjects of both queries."""
         moments = (query.moment for query in self.both)
         named = (name for moment in moments if moment is not None for name in moment.subjects)
         return tuple(dict.fromkeys((*(query.subject for query in self.both), *named)))
 
 
 class WhichKind(Kind):
-    """Base class of questions for one of two candidates with a number.
+    """The base class of kinds whose answer names one of two candidates and a number.
 
     Answers are positive if the first candidate is right, negative if the second is.
     """
@@ -68,7 +68,7 @@ class WhichKind(Kind):
 
     @abstractmethod
     def names(self, query: WhichQuery, words: Words) -> tuple[str, str] | None:
-        """Return the names of both candidates in options; None if the text cannot tell them apart."""
+        """Return the names of both candidates for options; None if they are not distinct."""
 
     @abstractmethod
     def option(self, query: WhichQuery, words: Words, number: str, *, first: bool) -> str:
@@ -83,7 +83,7 @@ class WhichKind(Kind):
         return self._answer(query, study, loosely=False)
 
     def loose_answer(self, query: Query, study: Study) -> float | None:
-        """Return the same from the answers that a reader may reach."""
+        """Return the same number from the answers that a reader may give."""
         return self._answer(query, study, loosely=True)
 
     def _answer(self, query: Query, study: Study, *, loosely: bool) -> float | None:
@@ -94,7 +94,7 @@ class WhichKind(Kind):
         return found if found is None or (first <= second if self.is_least else first >= second) else -found
 
     def oriented(self, query: WhichQuery, study: Study) -> WhichQuery:
-        """Return the query with the right candidate of a motion first, as far as it is known."""
+        """Return the query with the correct candidate of a motion first, if it is known."""
         found = self.answer(query, study)
         return query.exchanged if found is not None and found < 0.0 else query
 
@@ -109,11 +109,11 @@ class WhichKind(Kind):
         return self.oriented(query, study)
 
     def of_motion(self, query: Query) -> bool:
-        """Return whether either query depends on the motion."""
+        """Return whether either answer may depend on the initial motion."""
         return any(KINDS[each.kind].of_motion(each) for each in _pair_of(query))
 
     def time(self, query: Query, study: Study) -> float | None:
-        """Return the time, s, by which both answers are known; None if one never is."""
+        """Return the time, s, by which both answers are determined; None if one never is."""
         times = [KINDS[each.kind].time(each, study) if _is_possible(each, study) else None for each in _pair_of(query)]
         known = [time for time in times if time is not None]
         return max(known) if len(known) == len(times) else None

@@ -1,1 +1,1 @@
-"""What several moments share."""
+"""Base classes of moments."""

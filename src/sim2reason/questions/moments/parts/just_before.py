@@ -15,7 +15,7 @@ from sim2reason.simulation.trace import Trace
 
 @dataclass(frozen=True, slots=True)
 class JustBefore(Happening):
-    """The instant just before a moment whose words name no side; used only in structured questions, and never drawn."""
+    """The instant just before another moment whose words name no side; only for structured questions, never drawn."""
 
     label = "before"
 
@@ -23,7 +23,7 @@ class JustBefore(Happening):
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Return no moments, since none is ever drawn."""
+        """Return no moments, since none are ever drawn."""
         del study, words, rng
         return ()
 

@@ -1,4 +1,4 @@
-"""Moments that are events of the engines, with their verbs."""
+"""Base classes of moments that are events of the engines, with their verbs."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -18,20 +18,20 @@ from sim2reason.simulation.trace import Event, Trace
 
 
 def when_phrases(statement: str) -> tuple[str, str, str]:
-    """Return the phrases for the moment of a statement, as in *when it stops* and *at the moment when it stops*."""
+    """Return the phrases for the moment of a statement, such as *when it stops* and *at the moment when it stops*."""
     return f"when {statement}", f"at the moment when {statement}", f"at the instant at which {statement}"
 
 
 @dataclass(frozen=True, slots=True)
 class Verb:
-    """What a subject does, as a statement and as a question: *goes slack*, *does … go slack*."""
+    """The verb of an event, as a statement and as a question: *goes slack*, *does … go slack*."""
 
     told: str
     asked: str
     auxiliary: str = "does"
 
     def phrases(self, subject: str, number: int | None) -> tuple[str, ...]:
-        """*When …*; `number` counts the times, None is for what can happen but once."""
+        """Return phrases such as *when A stops*; `number` counts repeated events and is None for a unique one."""
         if number == 1:
             first = f"{subject} first {self.told}"
             return (f"when {first}", f"at the moment when {first}", f"when {self._counted(subject, 1)}")
@@ -39,7 +39,7 @@ class Verb:
         return when_phrases(happens)
 
     def sided(self, subject: str, number: int | None, *, after: bool) -> tuple[str, ...]:
-        """*Just before …* or *just after …*; `number` is None for what can happen but once."""
+        """Return phrases such as *just after A stops*; `number` is None for a unique event."""
         side = "after" if after else "before"
         again = f"{subject} {self.told}" if number is None else self._counted(subject, number)
         return (
@@ -49,7 +49,7 @@ class Verb:
         )
 
     def clause(self, subject: str, number: int | None) -> Clause:
-        """For *how long after …*."""
+        """Return the clause for use after *how long after …*."""
         if number == 1:
             return Clause(subject, self.auxiliary, f"first {self.asked}", f"first {self.told}")
         times = "" if number is None else f" for the {ordinal(number)} time"
@@ -60,28 +60,28 @@ class Verb:
 
 
 class VerbHappening(Happening):
-    """Something that happens to a subject, told by a verb.
+    """The base class of events with a subject and a verb.
 
     Class data:
-        verb: what the subject does.
+        verb: the verb of the event.
     """
 
     verb: ClassVar[Verb]
 
     def does(self, words: Words) -> Verb:
-        """Return what it does, as a text says it."""
+        """Return the verb of the event."""
         del words
         return self.verb
 
 
 @dataclass(frozen=True, slots=True)
 class Occurrence(VerbHappening):
-    """An event of one subject, the first of its kinds or a later one.
+    """The base class of events recorded by the engines, each with a subject and a number.
 
     Class data:
-        kinds: of the engines' events.
+        kinds: the kinds of events of the engines.
         of: the kind of subject.
-        most: up to which of one subject's it is asked about; 0 if it happens but once.
+        most: the greatest number of a subject's event that questions ask about; 0 for a unique event.
     """
 
     event = True
@@ -94,7 +94,7 @@ class Occurrence(VerbHappening):
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Return every subject's first ones."""
+        """Return the first events of every subject, up to its greatest number."""
         del rng
         happened = {name for event in study.trace.events if event.kind in cls.kinds for name in event.subjects}
         if not happened:
@@ -105,7 +105,7 @@ class Occurrence(VerbHappening):
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
-        """Yield every subject that is named, with every ordinal."""
+        """Yield every subject that a sentence names, with every ordinal."""
         del trace
         numbers = set(numbers_of(text))
         for name, phrase in cls.candidates(words).items():
@@ -114,42 +114,42 @@ class Occurrence(VerbHappening):
 
     @classmethod
     def each(cls, name: str, last: int = 1) -> Iterator[Self]:
-        """Yield the first, second, … moment of one subject, up to number `most`, or to `last` if that is greater."""
+        """Yield the first, second, … moment of one subject, up to number `most` or, if greater, `last`."""
         return (cls(name, number) for number in range(1, max(cls.most, last if cls.most else 1) + 1))
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Return the subjects that it can happen to, by name, as the text calls them."""
+        """Return the possible subjects, with their phrases."""
         return dict(words.called(cls.of))
 
     @classmethod
     def seen_as(cls, name: str, words: Words) -> set[str]:
-        """Return the names under which events speak of a subject."""
+        """Return the names under which the trace records events of a subject."""
         del words
         return {name}
 
     @property
     def subjects(self) -> tuple[str, ...]:
-        """The one that it happens to."""
+        """Return the name of the subject."""
         return (self.name,)
 
     def is_this(self, event: Event, trace: Trace) -> bool:
-        """Return whether an event is of this kind and subject."""
+        """Return whether an event has this kind and subject."""
         del trace
         return event.kind in self.kinds and event.subjects[0] == self.name
 
     def time(self, trace: Trace) -> float | None:
-        """Return the time of the event."""
+        """Return the time of the event, s; None if it does not occur."""
         events = (e for e in trace.events if 0.0 < e.time <= trace.stable_until and self.is_this(e, trace))
         found = next(islice(events, self.number - 1, None), None)
         return found.time if found is not None else None
 
     def subject(self, words: Words) -> str:
-        """Return how a question calls the one that it happens to."""
+        """Return the phrase for the subject."""
         return words.called(self.of)[self.name]
 
     def count(self, words: Words) -> int | None:
-        """Return the number by which a text tells it from others of its subject; None if it happens but once."""
+        """Return the event's number among those of its subject; None if it is unique."""
         del words
         return self.number if self.most else None
 
@@ -164,21 +164,21 @@ class Occurrence(VerbHappening):
 
 @dataclass(frozen=True, slots=True)
 class VelocityJump(Occurrence):
-    """An event at which velocities jump, so that questions say on which side of it they ask."""
+    """The base class of events at which velocities jump, so that questions name a side."""
 
     own = True
     after: bool = True
 
     @classmethod
     def each(cls, name: str, last: int = 1) -> Iterator[Self]:
-        """Yield both sides of each."""
+        """Yield each moment twice: just before and just after the event."""
         for number in range(1, max(cls.most, last if cls.most else 1) + 1):
             yield cls(name, number, after=True)
             yield cls(name, number, after=False)
 
     @property
     def sided(self) -> bool | None:
-        """Its side."""
+        """Return True for just after the event, False for just before."""
         return self.after
 
     def phrases(self, words: Words) -> tuple[str, ...]:
@@ -186,11 +186,11 @@ class VelocityJump(Occurrence):
         return self.does(words).sided(self.subject(words), self.count(words), after=self.after)
 
     def clause(self, words: Words) -> Clause | None:
-        """Return the clause, such as *the ball first hits the ground*; when that is, is asked of one side alone."""
+        """Return the clause, such as *the ball first hits the ground*, for one of the two sides only."""
         return self.does(words).clause(self.subject(words), self.count(words)) if self.after else None
 
     def stretches(self, words: Words) -> tuple[str, ...]:
-        """As in: from release until just after the ball hits the ground for the second time."""
+        """Return phrases such as *from release until just after the ball hits the ground for the second time*."""
         after = self.phrases(words)[1]
         return (
             f"from {words.since} until {after}",
@@ -201,20 +201,20 @@ class VelocityJump(Occurrence):
 
 @dataclass(frozen=True, slots=True)
 class SlipChange(Occurrence):
-    """A change between sticking and slipping on a face."""
+    """The base class of changes between sticking and slipping on a face."""
 
     own = True
     of = Contacts()
 
     def slipped(self, event: Event, trace: Trace) -> bool:
-        """Return whether the body slips until shortly before an event; what only turns back does, too."""
+        """Return whether the body slips until shortly before an event, also if it only reverses."""
         slips = np.abs(slip(trace.scan, self.name))
         before = slips[trace.scan.times < event.time - STILL * trace.scan.times[-1]]
         return len(before) > 0 and float(before[-1]) > still(trace, slips)
 
 
 def slip(state: State, name: str) -> Array:
-    """Return the velocity with which a body slips on its face, m/s, (n,)."""
+    """Return the velocity of slip of a body on its face, m/s, (n,)."""
     mechanism = state.mechanism
     total = np.zeros(len(state.times))
     for coordinate, factor in mechanism.contacts[name].slip:
@@ -223,5 +223,5 @@ def slip(state: State, name: str) -> Array:
 
 
 def rolls(words: Words, name: str) -> bool:
-    """Return whether a body rolls on its face rather than slides: it may turn there."""
+    """Return whether a body on a face can rotate, so that it may roll rather than slide."""
     return len(words.mechanism.contacts[name].slip) > 1

@@ -1,4 +1,4 @@
-"""Moments at which a quantity passes a value, among them those of charged bodies."""
+"""Base classes of moments at which a quantity passes a value, among them those of charged bodies."""
 
 import math
 from abc import abstractmethod
@@ -26,11 +26,11 @@ from sim2reason.simulation.trace import Trace
 
 @dataclass(frozen=True, slots=True)
 class Passage(VerbHappening):
-    """The first time that a function of the motion of one subject passes through zero.
+    """The base class of moments at which a function of the motion of one subject first rises through zero.
 
     Class data:
         of: the kind of subject.
-        hangs_on: the quantity, by name, that both engines must agree on.
+        hangs_on: the name of the quantity that must be certified.
     """
 
     of: ClassVar[Subject]
@@ -40,54 +40,54 @@ class Passage(VerbHappening):
 
     @abstractmethod
     def excess(self, state: State) -> Array:
-        """Return what is below zero before, and above zero after, (n,)."""
+        """Return the function, (n,), which is negative before the moment and positive after it."""
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Return every subject that gets there, away from events."""
+        """Return the moments of all subjects that occur away from events."""
         del rng
         return [moment for name in cls.candidates(words) if (moment := cls(name)).comes(study)]
 
     def comes(self, study: Study) -> bool:
-        """Return whether it happens, away from events."""
+        """Return whether the moment occurs, and away from events."""
         time = study.time(self)
         return time is not None and apart(time, study.trace)
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
-        """Return every subject that is named."""
+        """Yield the moment of every subject that a sentence names."""
         del trace
         return (cls(name) for name, phrase in cls.candidates(words).items() if phrase in text)
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Return the subjects that it can happen to, by name, as the text calls them."""
+        """Return the possible subjects, with their phrases."""
         return dict(words.called(cls.of))
 
     @property
     def subjects(self) -> tuple[str, ...]:
-        """The one that it happens to."""
+        """Return the name of the subject."""
         return (self.name,)
 
     def possible(self, mechanism: Mechanism) -> bool:
-        """Tell whether its subject is still one of those that it can happen to."""
+        """Return whether a mechanism's subject still qualifies."""
         return self.name in self.of.names(mechanism)
 
     @property
     def channels(self) -> tuple[Channel, ...]:
-        """Return what it hangs on."""
+        """Return the channel on which the moment depends."""
         return (Channel(self.name, self.hangs_on),)
 
     def time(self, trace: Trace) -> float | None:
-        """Return when the function first passes through zero."""
+        """Return the time, s, at which the function first rises through zero; None if it never does."""
         return first_crossing(trace, self.excess)
 
     def subject(self, words: Words) -> str:
-        """Return how a question calls the one that it happens to."""
+        """Return the phrase for the subject."""
         return self.candidates(words)[self.name]
 
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: when the ball first passes through the lowest point of its path."""
+        """Return phrases such as *when the ball first passes through the lowest point of its path*."""
         return self.does(words).phrases(self.subject(words), 1)
 
     def clause(self, words: Words) -> Clause | None:
@@ -97,7 +97,7 @@ class Passage(VerbHappening):
 
 @dataclass(frozen=True, slots=True)
 class Threshold(Passage):
-    """The first time that a quantity of a subject has a stated value, which is drawn and spoken with two digits.
+    """The base class of moments at which a quantity first has a stated value, drawn with two digits.
 
     Class data:
         unit: of the value, in the SI.
@@ -109,7 +109,7 @@ class Threshold(Passage):
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """Return a drawn value for one subject."""
+        """Return the moment of one random subject with a random value."""
         names = list(cls.candidates(words))
         if not names:
             return []
@@ -120,11 +120,11 @@ class Threshold(Passage):
     @classmethod
     @abstractmethod
     def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
-        """Return a value that is reached, as it will be spoken; None if there is none."""
+        """Return a random value that is reached, rounded as stated; None if there is none."""
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
-        """Yield every subject that is named, with every number of the unit."""
+        """Yield a moment for every subject and every number with the unit in a sentence."""
         del trace
         numbers = words.heard(text, cls.unit)
         for name, phrase in cls.candidates(words).items():
@@ -133,25 +133,25 @@ class Threshold(Passage):
 
     @property
     def stated(self) -> tuple[tuple[float, str], ...]:
-        """The value."""
+        """Return the value with its unit."""
         return ((self.value, self.unit),)
 
     @property
     def tells(self) -> tuple[Channel, ...]:
-        """The quantity, then."""
+        """Return the channel of the quantity, whose value is stated."""
         return self.channels
 
     def having(self, numbers: Sequence[float]) -> Self:
-        """With another value."""
+        """Return the same moment with another value."""
         (value,) = numbers
         return replace(self, value=value)
 
     def said(self, words: Words) -> str:
-        """Return the value with its unit."""
+        """Return the value with its unit as text."""
         return words.amount(self.value, self.unit)
 
 
-SLIGHT = 0.02  # of a velocity or an acceleration: a smaller component is none
+SLIGHT = 0.02  # of a velocity or an acceleration: smaller components are zero
 
 
 class ActingFields(NamedTuple):
@@ -163,7 +163,7 @@ class ActingFields(NamedTuple):
 
     @property
     def turning(self) -> bool:
-        """Return whether they turn the velocity or reverse it, in a way that short formulas give."""
+        """Return whether the fields turn or reverse the velocity in a way that short formulas describe."""
         return bool(self.magnetic) or all(law.profile.uniform or _drives_back(law) for law in self.electric)
 
     @property
@@ -173,12 +173,12 @@ class ActingFields(NamedTuple):
 
 
 def _drives_back(law: Push) -> bool:
-    """Return whether the force of a field is a restoring one, towards the position where the force is zero."""
+    """Return whether a field is a restoring one, whose force points to the position where it vanishes."""
     return law.profile.steady and law.profile.slope * inner(law.profile.axis, law.direction) < 0.0
 
 
 def acting_on(mechanism: Mechanism, name: str) -> ActingFields | None:
-    """Return the fields that alone act on a body with axes x and y; None if anything else does, or a field ends."""
+    """Return the fields that act on a body with axes x and y; None if anything else acts, or a field has a boundary."""
     own = mechanism.body[name].coordinates
     alone = not (mechanism.lines or mechanism.meetings or mechanism.attractions or mechanism.burns or mechanism.faces)
     level = all(inner(mechanism.gravity, c.axis) == 0.0 for c in own)
@@ -196,18 +196,18 @@ def acting_on(mechanism: Mechanism, name: str) -> ActingFields | None:
 
 @dataclass(frozen=True, slots=True)
 class FieldPassage(Passage):
-    """The first time that something happens to a body on which fields alone act."""
+    """The base class of moments of a body on which only fields act."""
 
     of = Bodies()
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Return the phrases of bodies in fields in which it may happen."""
+        """Return the bodies in suitable fields, with their phrases."""
         called, mechanism = words.called(cls.of).items(), words.mechanism
         return {name: said for name, said in called if (acts := acting_on(mechanism, name)) and cls.suits(acts)}
 
     def time(self, trace: Trace) -> float | None:
-        """Return when it first happens, s; None where other fields act, or one of the text is left out."""
+        """Return the time, s, of the first occurrence; None if the acting fields are not those of the text."""
         acts = acting_on(trace.mechanism, self.name)
         return Passage.time(self, trace) if acts is not None and self.suits(acts) else None
 
@@ -219,7 +219,7 @@ class FieldPassage(Passage):
     @classmethod
     @abstractmethod
     def suits(cls, acts: ActingFields) -> bool:
-        """Return whether it may be asked about in these fields."""
+        """Return whether the moment may be asked for in these fields."""
 
 
 def begins(state: State, name: str) -> tuple[Array, Array]:

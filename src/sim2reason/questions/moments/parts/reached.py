@@ -1,4 +1,4 @@
-"""Moments at which a body reaches a distance or a place."""
+"""Moments at which a body reaches a distance, or a quantity a value."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -25,13 +25,13 @@ from sim2reason.simulation.quantities.kinematics import Displacement
 from sim2reason.simulation.quantities.subjects.bodies import Bodies
 from sim2reason.simulation.trace import Trace
 
-NEAREST, FARTHEST = 0.2, 0.9  # of how far the body gets
-SHORTEST, LONGEST, TIED = 0.01, 9e4, 2.0  # m; strings are not longer than the last
+NEAREST, FARTHEST = 0.2, 0.9  # of the body's greatest distance: range of random distances
+SHORTEST, LONGEST, TIED = 0.01, 9e4, 2.0  # m: range of distances, and the longest string
 
 
 @dataclass(frozen=True, slots=True)
 class DistanceThreshold(Threshold):
-    """A threshold of a body's distance from where it was at the start."""
+    """The base class of thresholds of a body's distance from its starting point."""
 
     of = Bodies()
     hangs_on = "displacement"
@@ -39,14 +39,14 @@ class DistanceThreshold(Threshold):
 
     @classmethod
     def drawn(cls, name: str, trace: Trace, rng: np.random.Generator) -> float | None:
-        """Return a part of how far it gets."""
+        """Return a random fraction of the greatest distance, m; None if that is too short."""
         reached = float(np.linalg.norm(Displacement.evaluate(trace.scan, name), axis=1).max())
         whole = min(reached, TIED if trace.mechanism.strings else LONGEST)
         distance = rng.uniform(NEAREST, FARTHEST) * whole
         return round_number(distance, NEAREST * whole, FARTHEST * whole) if distance >= SHORTEST else None
 
     def excess(self, state: State) -> Array:
-        """Return how much farther it is than the distance."""
+        """Return by how many metres the displacement exceeds the distance, (n,)."""
         return np.linalg.norm(Displacement.evaluate(state, self.name), axis=1) - self.value
 
 
@@ -56,7 +56,7 @@ _TIME = re.compile(r"(?:at\s+)?t\s*=")
 
 @dataclass(frozen=True, slots=True)
 class Reached(Happening):
-    """The first or second time that a quantity passes through a value; only the mode that asks for times draws it."""
+    """The first or second time that a quantity passes through a value; drawn only by the mode that asks for times."""
 
     label = "reached"
 
@@ -66,13 +66,13 @@ class Reached(Happening):
 
     @classmethod
     def found(cls, study: Study, words: Words, rng: np.random.Generator) -> Sequence[Self]:
-        """None: whoever asks for a time draws the value."""
+        """Return no moments, as the mode that asks for times draws the value."""
         del study, words, rng
         return ()
 
     @classmethod
     def parsed(cls, text: str, trace: Trace, words: Words) -> Iterator[Self]:
-        """Yield every quantity that is named, with every number of its unit."""
+        """Yield a moment for every quantity that a sentence names, with every number of its unit."""
         del trace
         for target, noun in targets(words).items():
             if noun.phrase in text:
@@ -80,22 +80,22 @@ class Reached(Happening):
 
     @property
     def subjects(self) -> tuple[str, ...]:
-        """That of the quantity."""
+        """Return the subject of the quantity."""
         return (self.target.subject,)
 
     @property
     def channels(self) -> tuple[Channel, ...]:
-        """The quantity."""
+        """Return the channel of the quantity."""
         return (Channel(self.target.subject, self.target.quantity),)
 
     @property
     def stated(self) -> tuple[tuple[float, str], ...]:
-        """The value."""
+        """Return the value with its unit."""
         return ((self.given.value, self.target.unit),)
 
     @property
     def tells(self) -> tuple[Channel, ...]:
-        """The quantity."""
+        """Return the channel of the quantity."""
         return self.channels
 
     def time(self, trace: Trace) -> float | None:
@@ -108,14 +108,14 @@ class Reached(Happening):
         return next(islice(times, self.number - 1, None), None)
 
     def phrases(self, words: Words) -> tuple[str, ...]:
-        """As in: when the speed of A is 2.1 m/s for the first time; none where the text has no words for it."""
+        """Return phrases such as *when the speed of A is 2.1 m/s for the first time*; none for an unnamed quantity."""
         if self.target not in targets(words) or self.number > 1:
             return ()
         first = f"{self._noun(words)} is {self._said()} for the first time"
         return when_phrases(first)
 
     def clause(self, words: Words) -> Clause | None:
-        """As in: the speed of A is 2.1 m/s for the first time; None where the text has no words for the quantity."""
+        """Return a clause such as *the speed of A is 2.1 m/s for the first time*; None for an unnamed quantity."""
         if self.target not in targets(words) or self.number > 1:
             return None
         first = f"{self._said()} for the first time"
@@ -152,7 +152,7 @@ def stated(asked: StructuredQuestion, said: str, words: Words, place: str) -> tu
 
 
 def moment_of(asked: StructuredQuestion, words: Words) -> Moment:
-    """Return the moment of a structured question, given by name or by a value that a quantity first reaches.
+    """Return the moment of a structured question, given by name or by a value that a quantity reaches.
 
     *second* before an equation is the second time that the quantity passes through the value.
     """

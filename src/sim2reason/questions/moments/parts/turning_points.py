@@ -1,4 +1,4 @@
-"""Turning points of a quantity on the engine's steps, and tests for free motion."""
+"""Base classes of turning points of a quantity, and tests for free motion."""
 
 from abc import abstractmethod
 from dataclasses import dataclass, replace
@@ -27,14 +27,14 @@ from sim2reason.simulation.trace import Trace
 
 
 def moves_freely(mechanism: Mechanism) -> bool:
-    """Return whether nothing but contacts without friction acts between collisions, on bodies that do not turn."""
+    """Return whether bodies move freely between collisions, on frictionless contacts and without rotation."""
     acts = (mechanism.lines, mechanism.forces, mechanism.attractions, mechanism.burns, mechanism.feet)
     rubs = any(face.friction > 0.0 for face in mechanism.faces)
     return not any(acts) and not rubs and all(c.kind == "slide" for c in mechanism.coordinates)
 
 
 def meets_once(mechanism: Mechanism) -> bool:
-    """Return whether at most one collision can happen: of two bodies that move freely along the same directions.
+    """Return whether at most one collision can occur: that of two bodies with equal free acceleration.
 
     What accelerates them is the same for both, so that they never come together again.
     """
@@ -45,7 +45,7 @@ def meets_once(mechanism: Mechanism) -> bool:
 
 
 def goes_straight_up(mechanism: Mechanism, name: str) -> bool:
-    """Return whether a body that nothing guides starts straight up: sent off so, or driven from the ground."""
+    """Return whether an unguided body starts straight up, by its initial velocity or by an engine on the ground."""
     body = mechanism.body[name]
     lines = (line for line in mechanism.lines if not isinstance(line.law, Prop))
     tied = {mechanism.site[site].body for line in lines for site in line.through}
@@ -60,35 +60,35 @@ def goes_straight_up(mechanism: Mechanism, name: str) -> bool:
 
 
 def _is_ground(meeting: Meeting) -> bool:
-    """Return whether a body bounces off the room below it."""
+    """Return whether a collision partner is the fixed ground below the body."""
     return meeting.a is None and meeting.normal is not None and meeting.normal[2] > 1.0 - EVEN
 
 
 def _is_thrown(mechanism: Mechanism, way: Coordinate) -> bool:
-    """Return whether a body moves against gravity at the start, and burns nothing."""
+    """Return whether a body without an engine moves upwards at the start."""
     burns = any(burn.body == way.body for burn in mechanism.burns)
     against = parallel(way.axis, (0.0, 0.0, 1.0)) and inner(way.axis, mechanism.gravity) * way.speed < 0.0
     return against and not burns and not mechanism.attractions
 
 
 def _takes_off(mechanism: Mechanism, way: Coordinate) -> bool:
-    """Return whether a body is driven away from the ground on which it stands, the limit of its coordinate."""
+    """Return whether an engine drives a body away from the ground on which it stands."""
     drives = [burn.direction for burn in mechanism.burns if burn.body == way.body]
     stands = (way.lower, way.upper, way.speed) == (0.0, inf, 0.0)
     return stands and bool(drives) and all(inner(way.axis, drive) > 0.0 for drive in drives)
 
 
-SAME = 1e-6  # of the way between its least and its greatest value
+SAME = 1e-6  # relative to the range of values: smaller differences are rounding
 
 
 @dataclass(frozen=True, slots=True)
 class Peak(Passage):
-    """The first time that something is the greatest that it gets while the motion is followed.
+    """The base class of the first maximum of a function, if it is the greatest value of the simulated motion.
 
-    A motion that begins there has none that anybody would call the first.
+    A motion that begins at the maximum has no first maximum.
 
     Class data:
-        above: what it must exceed there, as an extension must zero.
+        above: a lower bound of the maximum, such as zero for an extension.
     """
 
     above: ClassVar[float] = -inf
@@ -96,15 +96,15 @@ class Peak(Passage):
     exceeded: bool = False  # whether it may be, later
 
     def first(self) -> Self:
-        """Return the first time that it turns back, even if it gets beyond that later, and if the motion begins so."""
+        """Return the first reversal of the function, whether or not it is exceeded later or occurs at the start."""
         return replace(self, exceeded=True)
 
     @abstractmethod
     def extent(self, state: State) -> Array:
-        """Return what is greatest then, (n,); `excess` is the rate at which it sinks."""
+        """Return the function whose maximum is sought, (n,); `excess` is the negative of its rate."""
 
     def time(self, trace: Trace) -> float | None:
-        """Return when it first turns back, if it never gets beyond, and nothing has struck it back at once before."""
+        """Return the time of the first maximum, s; None if it is exceeded later or preceded by a jump of the rate."""
         if begins_beyond(trace, self.excess) and not self.exceeded:
             return None
         reached = ((time, float(self.extent(trace.at(time))[0])) for time in crossings(trace, self.excess))
@@ -119,15 +119,15 @@ class Peak(Passage):
         return first[0] if first[1] >= greatest - SAME * (greatest - least) else None
 
 
-CIRCLE = 1e-2  # of their distance: what varies by less has neither a closest nor a farthest point
+CIRCLE = 1e-2  # relative: an orbit whose distance varies by less is a circle without apsides
 
 
 @dataclass(frozen=True, slots=True)
 class Apsis(Peak):
-    """Where the distance of two bodies that attract each other is least or greatest.
+    """The base class of the moments when the distance of two attracting bodies is least or greatest.
 
     Class data:
-        most: which of the two it is, as the text says it of one that moves about another.
+        most: *least* or *greatest*, for the distance from a fixed body.
     """
 
     most: ClassVar[str]
@@ -138,14 +138,14 @@ class Apsis(Peak):
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Return those that attract each other."""
+        """Return the pairs of bodies that attract each other, with their phrases."""
         drawn = {frozenset((pull.a, pull.b)) for pull in words.mechanism.attractions}
         pairs = {name: said for name, said in words.called(cls.of).items() if frozenset(members(name)) in drawn}
         rounds = {name: _one_round(words, name) for name in pairs}
         return {name: said if (one := rounds[name]) is None else words.mentions[one[0]] for name, said in pairs.items()}
 
     def does(self, words: Words) -> Verb:
-        """Return what both do; or one of them, where the other is fixed."""
+        """Return the verb for both bodies, or for the moving one if the other is fixed."""
         one = _one_round(words, self.name)
         if one is None:
             return self.verb
@@ -154,11 +154,11 @@ class Apsis(Peak):
 
     @property
     def comes_round(self) -> bool:
-        """Return True: bodies that separate for ever have no turning point."""
+        """Return True, as bodies that escape have no further turning point."""
         return True
 
     def receding(self, state: State) -> Array:
-        """Return how fast they part, m/s, (n,): r·v/r."""
+        """Return the rate of separation r·v/r, m/s, (n,)."""
         a, b = members(self.name)
         frames = state.frames
         apart = state.vector(frames.center(b).place) - state.vector(frames.center(a).place)
@@ -166,14 +166,14 @@ class Apsis(Peak):
         return np.einsum("ij,ij->i", apart, parting) / np.linalg.norm(apart, axis=1)
 
     def time(self, trace: Trace) -> float | None:
-        """Return when it turns; None of what goes round in a circle."""
+        """Return the time of the turning point, s; None for a circular orbit."""
         far = DistanceBetween.evaluate(trace.scan, self.name)
         round_it_goes = float(far.max() - far.min()) <= CIRCLE * float(far.max())
         return None if round_it_goes else Peak.time(self, trace)
 
 
 def _one_round(words: Words, name: str) -> tuple[str, str] | None:
-    """Return the body of a pair that moves, and the other, which is fixed; None where both move."""
+    """Return the moving body of a pair and the fixed one; None if both move."""
     a, b = members(name)
     if moves(words.mechanism, a) and moves(words.mechanism, b):
         return None
@@ -182,10 +182,10 @@ def _one_round(words: Words, name: str) -> tuple[str, str] | None:
 
 @dataclass(frozen=True, slots=True)
 class SpringTurn(Peak):
-    """Where a spring is stretched the most, or compressed the most.
+    """The base class of the moments when a spring is stretched or compressed the most.
 
     Class data:
-        local_verb: what it does there if it may be stretched, or compressed, more at a later time.
+        local_verb: the verb if the spring may be stretched, or compressed, more at a later time.
     """
 
     own = True
@@ -196,11 +196,11 @@ class SpringTurn(Peak):
 
     @property
     def tells(self) -> tuple[Channel, ...]:
-        """All of the spring: its own extremes are asked for as such, not at the moment when they are reached."""
+        """Return all channels of the spring, whose extremes are asked for directly."""
         return tuple(Channel(self.name, found.name) for found in QUANTITIES.values() if found.of.name == self.of.name)
 
     def does(self, words: Words) -> Verb:
-        """As in: reaches its maximum extension, and where more than one oscillation may take part, a maximum of it."""
+        """Return the verb, such as *reaches its maximum extension*; *a maximum* if several oscillations may overlap."""
         mechanism = words.mechanism
         alone = sum(isinstance(line.law, Elastic) for line in mechanism.lines) == 1
         swings = any(center_path(mechanism, body.name).bends for body in mechanism.bodies)
@@ -208,23 +208,23 @@ class SpringTurn(Peak):
 
     @abstractmethod
     def sign(self) -> float:
-        """1 for stretched, −1 for compressed."""
+        """Return 1 for a stretched spring, −1 for a compressed one."""
 
     def extent(self, state: State) -> Array:
-        """Return how far it is stretched, or compressed."""
+        """Return the extension or compression, m, (n,)."""
         return self.sign() * Extension.evaluate(state, self.name)
 
     def excess(self, state: State) -> Array:
-        """Return how fast it comes back."""
+        """Return the negative rate of the extension or compression, m/s, (n,)."""
         return -self.sign() * ExtensionRate.evaluate(state, self.name)
 
 
 @dataclass(frozen=True, slots=True)
 class TurningPoint(Peak):
-    """Where the height of a body is greatest or least.
+    """The base class of the moments when the height of a body is greatest or least.
 
     Class data:
-        local_verb: what it does there if collisions with other bodies may take it higher, or deeper, later.
+        local_verb: the verb if collisions with other bodies may take the body higher, or deeper, later.
     """
 
     of = Bodies()
@@ -233,7 +233,7 @@ class TurningPoint(Peak):
 
     @classmethod
     def candidates(cls, words: Words) -> dict[str, str]:
-        """Return what flies or swings: on a slope, or on a string straight up, no text speaks of a highest point."""
+        """Return the bodies that fly or swing, with their phrases, as slopes and lines have no highest point."""
         mechanism, found = words.mechanism, dict[str, str]()
         tied = {mechanism.site[site].body for line in mechanism.lines for site in line.through}
         for name, said in words.called(cls.of).items():
@@ -244,6 +244,6 @@ class TurningPoint(Peak):
         return found
 
     def does(self, words: Words) -> Verb:
-        """Return the verb phrase, such as *reaches the highest point of its path, and as in: stops rising*."""
+        """Return a verb such as *reaches the highest point of its path* or *stops rising*."""
         met = [meeting.names for meeting in words.mechanism.meetings if self.name in meeting.names]
         return self.local_verb if any(len(names) > 1 for names in met) else self.verb

@@ -1,1 +1,1 @@
-"""Questions in ordinary English about a changed scene, or for a number that brings something about."""
+"""Questions in ordinary English about a changed scene, or for a number that causes a given result."""

@@ -38,7 +38,7 @@ BLOW_PATTERNS = (
 
 
 def of_blow(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
-    """Return the question for the impulse of the blow that sets a body off from rest: its momentum at the start."""
+    """Return the question for the impulse that sets a body at rest in motion, which is its initial momentum."""
     found = next(filter(None, (re.fullmatch(told, heard.text) for told in BLOW_PATTERNS)), None)
     if found is None or words.released:
         return None
@@ -124,7 +124,7 @@ PENDULUMS = (
     rf"{_ASK} length of (?:equivalent|equivalent simple) pendulum(?: of (?:this |that )?@\d+@)?",
 )
 """Patterns of questions for the length of the simple pendulum whose small swings have the same period."""
-SMALL = 20.0  # degrees: what swings farther than that does not swing through small angles
+SMALL = 20.0  # degrees: largest amplitude of a small oscillation
 
 
 def _is_small(motion: FollowedMotion, words: Words, reader: Reader) -> bool:

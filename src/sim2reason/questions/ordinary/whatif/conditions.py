@@ -1,4 +1,4 @@
-"""Conditions that a number of the scene is to meet: outcomes such as *A slips*, and results."""
+"""Conditions that a number of the scene must meet: outcomes such as *A slips*, and results."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -123,7 +123,7 @@ _TURNED = re.compile(r" instead of (?:slide|roll|fall|go|move)(?: back)?(?: down
 
 
 class StatedCondition(NamedTuple):
-    """A condition: the name of an outcome and its subject; or a question and the number that is to be its answer.
+    """A condition: an outcome with its subject, or a question with its required answer.
 
     With a `factor`, the answer is to be that factor times the answer in the scene as it is. The phrases `moving` name
     bodies that are to move meanwhile. With `taut`, a string is to stay taut as well.
@@ -167,7 +167,7 @@ def _factor(found: re.Match[str]) -> float:
 
 
 def conditions(text: str, subject: str, heard: Heard) -> Iterator[StatedCondition]:
-    """Yield the condition that a clause states, as an outcome or else as results; nothing if a word is left over."""
+    """Yield the conditions that a clause may state, as an outcome or as results; nothing if a word is left over."""
     said = _statement(text, subject)
     outcome = _outcome(said, heard)
     if outcome is not None:
@@ -248,7 +248,7 @@ _MEANWHILE = re.compile(
 
 
 def _outcome(said: str, heard: Heard) -> StatedCondition | None:
-    """Return the condition if a statement names an outcome and every word has its place; else None."""
+    """Return the condition of a statement that names an outcome, if this accounts for every word; else None."""
     bare = _TAUT_TOO.sub("", said)
     taut = bare != said
     meanwhile = _MEANWHILE.search(bare)

@@ -1,4 +1,4 @@
-"""Patterns of questions for a number, such as *what mass must B have for A to slip*, and the parts that they have."""
+"""Patterns of questions for a number, such as *what mass must B have for A to slip*, and their parts."""
 
 import re
 from collections.abc import Iterator
@@ -225,7 +225,7 @@ _BOUNDED = re.compile(
 
 
 class WantedFrame(NamedTuple):
-    """The parts of a sentence such as *what is the least mass of B for A to slip*, which asks for a number.
+    """The parts of a question for a number, such as *what is the least mass of B for A to slip*.
 
     The `end` is *least*, *greatest* or empty, and `compare` the form of the answer: see `posing`. The `condition` is
     what the number is to bring about, and `subject` the token of its subject. `grows` says whether the sentence
@@ -241,7 +241,7 @@ class WantedFrame(NamedTuple):
 
 
 def framed(text: str, heard: Heard) -> Iterator[WantedFrame]:
-    """Yield each way to split a sentence into the number that it asks for and the condition that the number meets."""
+    """Yield each way to split a sentence into the number that it asks for and the condition on it."""
     subject = {f"@{index}@": said for index, said in enumerate(heard.subjects)}
     bound = _BOUNDED.fullmatch(text)
     if bound is not None:

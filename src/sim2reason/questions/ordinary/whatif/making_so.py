@@ -1,4 +1,4 @@
-"""Questions for a number that brings something about: *what mass must B have for A to slip*."""
+"""Questions for a number that causes a result: *what mass must B have for A to slip*."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -45,7 +45,7 @@ _CHANGES = re.compile(r"\b(?:mass|heavy|heavier|g|gravity)\b")
 
 
 def with_weights(heard: Heard, scene: Scene, words: Words) -> Heard:
-    """Return a sentence with a number in newtons for each weight that it names; none if it asks for a mass or for g."""
+    """Return a sentence with a mass in place of each weight in newtons; unchanged if it asks for a mass or for g."""
     found = _WEIGHT.search(heard.text)
     if found is None or _CHANGES.search(heard.text) or scene.units.spell("N") != "N":
         return heard
@@ -67,15 +67,15 @@ def _factor(said: str, heard: Heard) -> float:
     return next((value for told, value in MULTIPLES.items() if re.fullmatch(told, said)), 1.0)
 
 
-SAME = 1e-6  # relative: a result that differs by less is the stated one
-TRIED = 6  # values of a number, to see whether a question has an answer with any
-OWN = "mass", "speed", "angular speed", "charge"  # that of the subject, if the sentence does not say whose
-MOST = 4  # readings of a result whose numbers are looked for
+SAME = 1e-6  # relative: largest difference from the stated result
+TRIED = 6  # values of a number tried to see whether a question has an answer
+OWN = "mass", "speed", "angular speed", "charge"  # numbers of the subject, if the sentence does not name an owner
+MOST = 4  # readings of a result for which numbers are sought
 _FROM_BOTTOM = re.compile(r"\b(?:at|from) (?:its |circle 's )?(?:bottom|lowest point|lowest position) .*\bround\b")
 
 
 def number_making_so(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
-    """Return the meaning of a sentence that asks for a number by what it brings about; None if it does not.
+    """Return the meaning of a sentence that asks for a number by its effect; None if it is no such sentence.
 
     Raises:
         TextError: the sentence has readings with different answers, or the number does not lead to what is said.
@@ -185,12 +185,12 @@ def _by_result(
 
 
 def _of_end(end: str, values: list[float]) -> list[float]:
-    """Return the least or the greatest of some values in order, if the end is stated; else all."""
+    """Return the least or greatest of ordered values, if the sentence asks for it; else all."""
     return values if not end else values[:1] if end == LEAST else values[-1:]
 
 
 def _with_taut_strings(values: list[float], question: PosedQuestion, path: str, motion: FollowedMotion) -> list[float]:
-    """Return those of several values of a number with which no string is slack before a question's answer, if any."""
+    """Return the values of a number for which all strings stay taut up to the answer, or else all values."""
 
     def stays_taut(value: float) -> bool:
         study = follow(question.query, motion_of(with_number(motion.study.scene, path, value))).study
@@ -202,7 +202,7 @@ def _with_taut_strings(values: list[float], question: PosedQuestion, path: str, 
 
 
 def _distinct(values: Sequence[float]) -> list[float]:
-    """Return values in order, and of values that differ only by the error of finding them, the least one."""
+    """Return ordered values without near-duplicates, of which the least is kept."""
     found: list[float] = []
     for value in sorted(values):
         if not found or not isclose(value, found[-1], rel_tol=SAME):
@@ -221,7 +221,7 @@ def _stated(
 
 
 def _ever(question: PosedQuestion, motion: FollowedMotion) -> bool:
-    """Return whether a question has an answer with any of a few values of the number."""
+    """Return whether a question has an answer for any of a few values of the number."""
     assert question.unknown is not None
     scene, path = motion.study.scene, question.unknown.path
     dependence = Dependence(question.query, motion.study, path, COARSE)
@@ -235,7 +235,7 @@ def _ever(question: PosedQuestion, motion: FollowedMotion) -> bool:
 def _askable(
     heard: Heard, motion: FollowedMotion, words: Words, reader: Reader
 ) -> Iterator[tuple[StructuredQuestion, str]]:
-    """Yield the structured questions that a question may mean, with their units; only that with an answer, if any."""
+    """Yield the structured questions that a question may mean, with units; only the one with an answer, if any."""
     try:
         plain = of_all(reader, heard, motion, words)
     except TextError:
@@ -258,7 +258,7 @@ def _askable(
 
 
 def _of_first(heard: Heard) -> Heard:
-    """Return a question about the first of several bodies in place of all, for which the same is checked later."""
+    """Return a question about the first of several bodies in place of all; the others are checked later."""
     first = (said.removeprefix(f"{ALL} ").partition(" & ")[0] for said in heard.subjects)
     return replace(heard, subjects=tuple(first))
 
@@ -272,7 +272,7 @@ def _leads(
     words: Words,
     reader: Reader,
 ) -> bool:
-    """Return whether a question has the stated answer with a value of a number, and nothing that it presumes fails."""
+    """Return whether a question has the stated answer with a value of a number, and its presumptions hold."""
     try:
         there = with_number(motion.study.scene, path, value)
         found = of_all(reader, heard, motion_of(there), words_in(there, words))
@@ -285,7 +285,7 @@ def _leads(
 
 
 def _checked(frame: WantedFrame, meant: Understood, motion: FollowedMotion) -> Understood:
-    """Return a meaning with its answer compared with the scene's number; TextError if it is less but to be greater."""
+    """Return a meaning after a check of its answer against the scene's number; TextError if the stated sense fails."""
     answer, path = meant.followed.answer, meant.asked.find
     if frame.compare == VALUE or answer is None:
         return meant

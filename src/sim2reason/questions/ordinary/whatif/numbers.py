@@ -1,4 +1,4 @@
-"""Names of a scene's numbers in ordinary English, and the addresses that they mean in a scene."""
+"""Names of a scene's numbers in ordinary English, and their addresses in a scene."""
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -21,12 +21,12 @@ from sim2reason.simulation.quantities.subjects.bodies import Bodies
 NUMBER = "NUMBER"  # in a pattern of other modules: a phrase for a number
 EVERY_MASS = "every mass"  # of all bodies that the text has
 NEVER_ZERO = "friction", "mass", "speed", "horizontal speed", "angular speed", "motion at start"
-MORE = 1.01  # times a number, to see what it decides
-EXACT = 1e-9  # relative: an initial speed that a body has
+MORE = 1.01  # factor on a number, to find its effects
+EXACT = 1e-9  # relative: largest difference of an initial speed from the given one
 
 
 class NumberKind(NamedTuple):
-    """A kind of number: a pattern of its nouns, and the last parts of its addresses.
+    """A kind of number: a pattern of its nouns, and the final parts of its addresses.
 
     If `units` are given, only a number with one of these units, nouns or places of an angle is of the kind.
     """
@@ -160,7 +160,7 @@ def named_number(found: re.Match[str], subject: Mapping[str, str]) -> NamedNumbe
 
 
 def paths_of(named: NamedNumber, study: Study, words: Words) -> tuple[str, ...]:
-    """Return the addresses of the numbers that a name means, one for each owner; none if the name is ambiguous."""
+    """Return the addresses of a named number, one for each owner; none if the name is ambiguous."""
     owners = tuple(each for said in named.owners for each in _each(said))
     if named.kind == EVERY_MASS:
         return tuple(path for path, _ in _of_kind("mass", study.scene))
@@ -180,7 +180,7 @@ def paths_of(named: NamedNumber, study: Study, words: Words) -> tuple[str, ...]:
 
 
 def is_zero(kind: str, scene: Scene) -> bool:
-    """Return whether a scene has no number of a kind other than zero."""
+    """Return whether a scene has no nonzero number of a kind."""
     return not any(value for _, value in _of_kind(kind, scene))
 
 
@@ -189,7 +189,7 @@ def _each(said: str) -> Sequence[str]:
 
 
 def _of_kind(name: str, scene: Scene) -> Iterator[tuple[str, float]]:
-    """Yield the addresses and values of a scene's numbers of a kind; of most kinds only those that are not zero."""
+    """Yield the addresses and values of a scene's numbers of a kind; of most kinds only nonzero ones."""
     kind = NUMBERS[name]
     held = [parameter for parameter in scene.parameters if not parameter.hidden and _is_of(parameter, kind)]
     for parameter in held:
@@ -210,7 +210,7 @@ def _is_of(parameter: Parameter, kind: NumberKind) -> bool:
 
 
 def _place(parameter: Parameter) -> str:
-    """Return the place of an angle: *plane*, *launch* or *swing*; empty for any other."""
+    """Return the component to which an angle belongs: *plane*, *launch* or *swing*; empty for any other number."""
     part, name = parameter.path.split(".")[-2], parameter.measure.name
     if name == "elevation" or part == "start":
         return "launch"
@@ -262,7 +262,7 @@ def _between(every: list[tuple[str, float]], owners: tuple[str, ...], study: Stu
 
 
 def _is_carried(study: Study, path: str, value: float) -> bool:
-    """Return whether a number is that of a face of a body, rather than of a fixed surface."""
+    """Return whether a number belongs to a face of a body rather than of a fixed surface."""
     return any(study.mechanism.body[name].parent is not None for name in _roughens(study, path, value))
 
 

@@ -1,4 +1,4 @@
-"""Questions for the number with which something comes about, such as that a block slips."""
+"""Questions for the number with which an outcome occurs, such as that a block slips."""
 
 from collections.abc import Iterator, Sequence
 from math import inf, isclose
@@ -77,7 +77,7 @@ def special_outcome(
 
 
 def _is_at(condition: StatedCondition, motion: FollowedMotion, words: Words) -> bool:
-    """Return whether an angle that a condition states, if it does, is the one that the scene begins with."""
+    """Return whether the angle of a condition, if it states one, is that of the initial scene."""
     if not condition.stated:
         return True
     paths = paths_of(NamedNumber("swing angle"), motion.study, words)
@@ -113,7 +113,7 @@ def friction_needed(path: str, who: str, motion: FollowedMotion, words: Words, *
 
 
 def slips_nevertheless(found: Understood) -> bool:
-    """Return whether a body slips even with the greatest coefficient of friction that a scene can have."""
+    """Return whether a body slips even with the greatest coefficient of friction that a scene allows."""
     if found.asked.find != NEEDED or found.posed.varied is None or found.followed.answer is None:
         return False
     _, most = found.posed.varied.values[0]
@@ -125,9 +125,9 @@ def _rolling(words: Words) -> bool:
 
 
 CIRCULAR_SPEED = "circular speed"
-BEYOND = 1.0 + 1e-3  # times a number at which an outcome changes, to see what comes about beyond it
-MANY = 2  # directions in which a body moves that does not move along one line
-STILL = 1e-6  # of g: a smaller acceleration is none
+BEYOND = 1.0 + 1e-3  # factor on a threshold, to find the outcome beyond it
+MANY = 2  # directions of a body that does not move on a line
+STILL = 1e-6  # of g: smaller accelerations are zero
 SQUARE = 1e-9  # the cosine of a right angle
 THRESHOLDS = {
     HOLDS: (("slides", False), ("slips rolling", False)),
@@ -177,7 +177,7 @@ def by_outcome(
 
 
 def _without_slipping(outcome: str, words: Words, *, friction: bool, end: str) -> str:
-    """Return the outcome that *not slide down* or *stay at rest* means where friction decides about it."""
+    """Return the outcome meant by *not slide down* or *stay at rest* if friction decides about it."""
     if outcome == SLIDES and friction:
         return HOLDS if words.released else STAYS
     return HOLDS if outcome == RESTS and (friction or (end and rubs(words))) else outcome
@@ -220,7 +220,7 @@ def _as_rough_at_rest(words: Words) -> bool:
 def on_the_other_side(
     found: Understood, frame: WantedFrame, condition: StatedCondition, motion: FollowedMotion, words: Words
 ) -> bool:
-    """Return whether a planet escapes only below a number that is asked for as the least one, or the like."""
+    """Return whether the outcome occurs on the other side of the threshold than the question presumes."""
     value, path = found.followed.answer, found.asked.find
     if condition.outcome not in (ESCAPES, BOUND) or not frame.end or value is None or not found.asked.given:
         return False
@@ -231,7 +231,7 @@ def on_the_other_side(
 
 
 def moves_nevertheless(found: Understood, condition: StatedCondition, motion: FollowedMotion, words: Words) -> bool:
-    """Return whether a condition fails with the number that is found.
+    """Return whether a condition fails with the number found.
 
     It fails if a body that is to stay at rest is accelerated, or one that is to move meanwhile is not.
     """

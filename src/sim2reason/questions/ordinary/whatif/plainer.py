@@ -1,4 +1,4 @@
-"""Replacement of turns of phrase in questions for a number of the scene by plainer words that `frames` has."""
+"""Replacement of turns of phrase in questions for a number by equivalents that the module `frames` matches."""
 
 import re
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""Clauses that suppose something, such as *A were twice as heavy*, each with the number that it changes, and how."""
+"""Clauses that suppose a change, such as *A were twice as heavy*, each with the number and the type of change."""
 
 from collections.abc import Mapping
 

@@ -22,7 +22,7 @@ _JOINED = re.compile(r" (?:,? ?and|,) (?:if )?")
 
 
 class Supposition(NamedTuple):
-    """A change of a number or a body that a sentence supposes.
+    """A supposed change of a number or a body.
 
     `how` is one of the changes of `supposed_rows`. The number changes to a `value`, with the unit of the sentence, by a
     `factor`, or by the value with a `sign`. A speed may be told with the `way`, *up* or *down*.
@@ -136,7 +136,7 @@ _DIMENSIONS = "(?:larger|greater|higher|bigger|more|stronger|smaller|less|lower)
 
 
 class ChangedQuestion(NamedTuple):
-    """A question and the changes that a sentence supposes, with `compare`, the form of the answer: see `posing`.
+    """A question and its supposed changes, with `compare`, the form of the answer: see `posing`.
 
     `grows` says whether the sentence presumes that the answer is greater after the change, or less; None for neither.
     """

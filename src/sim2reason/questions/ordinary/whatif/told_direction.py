@@ -1,4 +1,4 @@
-"""Hints such as *a heavier block*, by which a question for a number says that it is greater or less than now."""
+"""Hints such as *a heavier block*, which imply that the number is greater or less than at present."""
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
@@ -67,7 +67,7 @@ _SUPPOSED = (
 
 
 class ToldDirection(NamedTuple):
-    """A question stripped of its hint that the number is greater or less than in the scene, and that hint.
+    """A question without its hint that the number is greater or less than in the scene, and that hint.
 
     `grows` is None if the sentence does not tell whether the number is to be greater or less than it is. The `kind` of
     the number and the token of the `thing` that has it are empty if they are not told.
@@ -80,7 +80,7 @@ class ToldDirection(NamedTuple):
 
 
 def told_direction(text: str) -> ToldDirection:
-    """Return a sentence such as *suppose C is replaced by a heavier block. what mass ...* in its parts."""
+    """Return the parts of a sentence such as *suppose C is replaced by a heavier block. what mass ...*."""
     found = re.match(_SUPPOSE, text)
     if found is None:
         return _of_value(text) or ToldDirection(text)
@@ -116,7 +116,7 @@ def _kind(number: str) -> str:
 
 
 def _of_value(text: str) -> ToldDirection | None:
-    """Return *to what value must A's mass be reduced* as *what must A's mass be*, which is less than it is."""
+    """Return *to what value must A's mass be reduced* as *what must A's mass be*, with the hint *less*; else None."""
     found = re.match(
         rf"to (?:what|which) (?:(?:new|other|different|smaller|larger|lower|higher) )*(?:value )?(?P<aux>{_AUX})"
         rf" (?:one|we|you)"
@@ -142,7 +142,7 @@ def _of_value(text: str) -> ToldDirection | None:
 
 
 def directed(frames: Iterable[WantedFrame], told: ToldDirection, heard: Heard) -> Iterator[WantedFrame]:
-    """Yield the frames that ask for the number of which a sentence tells something beforehand, with what it tells."""
+    """Yield the frames whose number the hint concerns, together with the hint."""
     for frame in frames:
         owners = frame.number.owners or ((heard.subject(frame.subject),) if frame.subject else ())
         of_it = not told.thing or not owners or heard.subject(told.thing) in owners
@@ -151,6 +151,6 @@ def directed(frames: Iterable[WantedFrame], told: ToldDirection, heard: Heard) -
 
 
 def told_values(values: Sequence[float], path: str, frame: WantedFrame, motion: FollowedMotion) -> list[float]:
-    """Return those of some values of a number that are greater, or less, than it is, as is told; else all."""
+    """Return the values of a number that are greater, or less, than the present one, as hinted; else all."""
     now = number_at(motion.study.scene, path)
     return [value for value in values if frame.grows is None or (value > now) == frame.grows]

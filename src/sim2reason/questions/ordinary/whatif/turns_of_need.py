@@ -1,4 +1,4 @@
-"""Further turns of phrase in questions for a number of the scene, in plainer words that `frames` has."""
+"""Further turns of phrase in questions for a number, with equivalents that the module `frames` matches."""
 
 from collections.abc import Mapping
 

@@ -1,4 +1,4 @@
-"""Questions about what follows when a string is cut, a hand lets go or a field is switched off."""
+"""Questions about the motion after a string is cut, a hand lets go or a field is switched off."""
 
 import re
 from collections.abc import Iterator
@@ -29,7 +29,7 @@ _DOWN = re.compile(r"falling|down|sinking")
 
 
 def named_things(said: str, heard: Heard, words: Words) -> tuple[str, ...]:
-    """Return the names of the lines or the field that a phrase of a sentence means; none if it is not clear.
+    """Return the names of the lines or the field that a phrase denotes; none if it is ambiguous.
 
     *string* alone means the only string, and *@0@ 's string* the only one that ends at a body.
     """
@@ -56,7 +56,7 @@ def _body(phrase: str, words: Words) -> str:
 
 
 def time_of(stated: str, heard: Heard, words: Words) -> float | None:
-    """Return the time, in the scene's unit of it, that the token of a number stands for; None if it is no time."""
+    """Return the time, in the scene's unit, of a number token; None if it is not a time."""
     try:
         return measured("question", heard.number(stated), words.units.spell("s"))
     except TextError:
@@ -73,7 +73,7 @@ def moment_of(clause: str, heard: Heard, motion: FollowedMotion, words: Words, r
 
 
 def _time_of_speed(moving: re.Match[str], heard: Heard, motion: FollowedMotion, words: Words) -> float | None:
-    """Return the first time at which a body has a stated speed, s; None if it does not then move as is said."""
+    """Return the first time, s, at which a body has a stated speed; None if it then moves the other way."""
     phrase = heard.subject(moving["s"]).removeprefix(f"{ALL} ").partition(" & ")[0]
     body = _body(phrase, words)
     way = f"{moving.groupdict().get('verb') or ''} {moving.groupdict().get('way') or ''}"
@@ -89,8 +89,8 @@ def _time_of_speed(moving: re.Match[str], heard: Heard, motion: FollowedMotion, 
     return None if wrong else followed.answer
 
 
-SAME = 1e-6  # relative: answers that differ by less are one
-SHARES = 0.31, 0.47, 0.83  # of the horizon, at which something is removed if the sentence does not say when
+SAME = 1e-6  # relative: answers that differ by less are equal
+SHARES = 0.31, 0.47, 0.83  # of the horizon: times of removal if the sentence states none
 _IF = r"(?:(?:suppose|if|imagine|assume|when|after|once|as soon as|supposing|assuming)(?: that)? )?"
 _LINE = r"(?:string|rope|cord|thread|rod|spring)"
 _FIELD = r"(?:electric|magnetic) field"
@@ -145,7 +145,7 @@ _HOW_FAR_UP = re.compile(
 
 
 class RemovedThings(NamedTuple):
-    """The removal that a sentence supposes: names of lines and fields, times to try, s, and the question that remains.
+    """A supposed removal: names of lines and fields, times to try, s, and the remaining question.
 
     If the sentence does not say when, there are several times, for which the answers must agree.
     """
@@ -178,7 +178,7 @@ def _agree(one: float | None, other: float | None) -> bool:
 def _after(
     names: tuple[str, ...], time: float, heard: Heard, motion: FollowedMotion, words: Words, reader: Reader
 ) -> Understood | None:
-    """Return the meaning of a question about what follows when things are removed at a time, s."""
+    """Return the meaning of a question about the motion after objects are removed at a time, s."""
     varied = SceneChange(removed=names, after=time)
     try:
         scene = varied.applied(motion.study.scene)
@@ -193,7 +193,7 @@ def _after(
 
 
 def _removed(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> Iterator[RemovedThings]:
-    """Yield each way to read a sentence as one about what follows a removal."""
+    """Yield each reading of a sentence as a question about the motion after a removal."""
     for told in (_FIRST, _LAST, _NOT):
         found = told.match(heard.text)
         if found is None:
@@ -217,7 +217,7 @@ def _removed(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader)
 def _times(
     groups: dict[str, str | None], heard: Heard, motion: FollowedMotion, words: Words, reader: Reader
 ) -> tuple[float, ...]:
-    """Return the time that a sentence states, s, or some times if it states none; no time if it is not understood."""
+    """Return the stated time, s, or several if none is stated; empty if the clause is not understood."""
     stated = groups.get("n") or groups.get("m") or groups.get("before") or groups.get("early") or ""
     clause = groups.get("clause") or ""
     if sum(map(bool, (stated, clause, groups.get("while")))) > 1:
@@ -229,13 +229,13 @@ def _times(
 
 
 def _is_later(token: str, times: tuple[float, ...], heard: Heard, words: Words) -> bool:
-    """Return whether a time *after start* can only be meant as later than what is removed, since it is the shorter."""
+    """Return whether a time counted from the start can only be meant as counted from the removal, as it is shorter."""
     time = time_of(token, heard, words)
     return time is not None and all(time < removal for removal in times)
 
 
 def _of_what_follows(question: str) -> str:
-    """Return a question such as *how much farther does A then slide* without what says that it is about what follows.
+    """Return a question such as *how much farther does A then slide* without words such as *farther* and *then*.
 
     It is empty if the question may be about the motion from the start on: a distance or a time without such a word.
     """

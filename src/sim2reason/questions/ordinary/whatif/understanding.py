@@ -23,12 +23,12 @@ from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.simulation.quantities.kinematics import Velocity
 from sim2reason.simulation.quantities.subjects.bodies import Bodies, TurningBodies
 
-TINY = 1e-9  # the least value of what must not be zero, and is as good as zero
-EQUAL = 1e-6  # relative: answers that differ by less are one
+TINY = 1e-9  # the least value of a number that must not be zero, in place of zero
+EQUAL = 1e-6  # relative: answers that differ by less are equal
 
 
 def in_changed_scene(heard: Heard, motion: FollowedMotion, words: Words, reader: Reader) -> Understood | None:
-    """Return the meaning of a sentence as a question about a changed scene; None if it is not understood so."""
+    """Return the meaning of a sentence as a question about a changed scene; None if it is no such question."""
     for asked in changed_questions(heard.text, heard):
         varied = _variation(asked, motion, words)
         if varied is None:
@@ -65,7 +65,7 @@ def _answered(
 
 
 def of_all(reader: Reader, heard: Heard, motion: FollowedMotion, words: Words) -> Understood | None:
-    """Return the meaning of a question; without a subject, of one about each moving body if all have one answer."""
+    """Return the meaning of a question; without a subject, the common answer for all moving bodies."""
     found = reader.read(_with_only_subject(heard, words), motion, words)
     asks = re.match(
         r"(?:what|which) is (?:its |their |common )?(?P<q>acceleration|speed)(?= of system| of blocks| of bodies|$| )",
@@ -83,7 +83,7 @@ def of_all(reader: Reader, heard: Heard, motion: FollowedMotion, words: Words) -
 
 
 def _with_only_subject(heard: Heard, words: Words) -> Heard:
-    """Return a question such as *what is greatest angular speed* as one about the only thing that moves or turns."""
+    """Return a question such as *what is greatest angular speed* with the only moving or turning body as subject."""
     asks = re.fullmatch(r"what is (?:greatest|least|final) (?P<turns>angular )?(?:speed|velocity)", heard.text)
     if asks is None:
         return heard
@@ -93,7 +93,7 @@ def _with_only_subject(heard: Heard, words: Words) -> Heard:
 
 
 def _compared(asked: ChangedQuestion, before: Followed, after: Followed) -> Followed:
-    """Return an answer compared with that before the change; TextError if the question presumes the other direction."""
+    """Return an answer compared with that before the change; TextError if the question presumes the other sign."""
     now, then = before.answer or 0.0, after.answer or 0.0
     if asked.grows is not None and (abs(then) > abs(now)) != asked.grows:
         raise TextError("question", "it is not so: it changes the other way", "ask by how much it changes")
@@ -103,7 +103,7 @@ def _compared(asked: ChangedQuestion, before: Followed, after: Followed) -> Foll
 
 
 def _variation(asked: ChangedQuestion, motion: FollowedMotion, words: Words) -> SceneChange | None:
-    """Return the change of the scene that a sentence supposes; None if a name means no number of the scene."""
+    """Return the supposed change of the scene; None if a name denotes no number of the scene."""
     values, fixed = dict[str, float](), list[str]()
     for supposed in asked.supposed:
         if supposed.how == FIXED:
@@ -122,7 +122,7 @@ def _variation(asked: ChangedQuestion, motion: FollowedMotion, words: Words) -> 
 
 
 def _values(supposed: Supposition, motion: FollowedMotion, words: Words) -> Mapping[str, float]:
-    """Return the new values of the numbers that a supposition means, by address; empty if it means none."""
+    """Return the new values of the numbers in a supposition, by address; empty if it denotes none."""
     scene = motion.study.scene
     if supposed.how == NONE:
         return _vanishing(supposed.number, motion, words)
@@ -141,7 +141,7 @@ def _values(supposed: Supposition, motion: FollowedMotion, words: Words) -> Mapp
 
 
 def _goes(supposed: Supposition, motion: FollowedMotion, words: Words) -> bool:
-    """Return whether a body sets off the way that the sentence tells, *up* or *down*."""
+    """Return whether a body starts in the stated direction, *up* or *down*."""
     names = [name for name, said in words.called(Bodies()).items() if said in supposed.number.owners]
     rising = float(Velocity.evaluate(motion.study.trace.at(0.0), names[0])[0, 2]) if len(names) == 1 else 0.0
     return rising > 0.0 if supposed.way == "up" else rising < 0.0
@@ -162,7 +162,7 @@ def _value(supposed: Supposition, path: str, scene: Scene) -> float | None:
 
 
 def _vanishing(number: NamedNumber, motion: FollowedMotion, words: Words) -> Mapping[str, float]:
-    """Return zero for each number that vanishes, by address; all coefficients of friction unless owners are named."""
+    """Return zero for each vanishing number, by address; for all coefficients of friction unless owners are named."""
     scene = motion.study.scene
     if number.kind != "friction":
         paths = paths_of(number, motion.study, words)

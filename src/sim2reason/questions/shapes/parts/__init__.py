@@ -1,1 +1,1 @@
-"""What shapes of prompts share."""
+"""Helpers of prompt shapes."""

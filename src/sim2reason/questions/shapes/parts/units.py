@@ -1,4 +1,4 @@
-"""A prompt as its sentences and tables, and the sentences that may change places."""
+"""Division of a prompt into sentences and tables, and rearrangement of sentences."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -10,12 +10,12 @@ from sim2reason.text.prose.description import Description
 from sim2reason.text.prose.phrases import paragraphs
 
 _END = re.compile(r"(?:(?<=[.?])|(?<=[.?]\)))\s+(?=[A-Z(])")
-QUESTION = 2  # sentences, at most
+QUESTION = 2  # greatest number of sentences
 ASKS = re.compile(r"(?:What|How|By how much|Find|Determine|Calculate)\b")
 
 
 def units(text: str) -> list[str]:
-    """Sentences, and tables as descriptions have them."""
+    """Return the sentences and tables of a text."""
     found: list[str] = []
     for block in re.split(r"\n\n+", text.strip()):
         found.extend([f"\n\n{block}\n\n"] if is_table(block) else _END.split(block.strip()))
@@ -23,44 +23,44 @@ def units(text: str) -> list[str]:
 
 
 def is_table(unit: str) -> bool:
-    """Return whether it is a table, and no sentence."""
+    """Return whether a unit is a table rather than a sentence."""
     return unit.lstrip().startswith("|")
 
 
 def text_of(said: Sequence[str]) -> str:
-    """Sentences and tables as one text."""
+    """Return sentences and tables joined into one text."""
     return paragraphs(said)
 
 
 def splits(said: Sequence[str]) -> Iterator[tuple[list[str], str]]:
-    """Yield the story and the question at its end, which mostly is one sentence."""
+    """Yield splits of a prompt into the story and the question at its end, of one sentence or more."""
     for count in range(1, min(QUESTION, len(said) - 1) + 1):
         if not any(map(is_table, said[-count:])):
             yield list(said[:-count]), text_of(said[-count:])
 
 
 def begins_plainly(question: str) -> bool:
-    """Return whether a question begins with the word that asks, so that a clause can stand before it."""
+    """Return whether a question begins with an interrogative or imperative word, so that a clause can precede it."""
     return ASKS.match(question) is not None
 
 
 def lowered(sentence: str) -> str:
-    """Return a sentence after a clause: without its capital, but for the letter that a body is called by."""
+    """Return a sentence without its initial capital, for use after a clause; letters that name bodies stay."""
     return sentence if re.match(r"[A-Z]\b(?! [a-z])", sentence) else sentence[0].lower() + sentence[1:]
 
 
 def raised(sentence: str) -> str:
-    """Return a sentence with its capital."""
+    """Return a sentence with an initial capital."""
     return sentence[:1].upper() + sentence[1:]
 
 
 def one_of(options: Sequence[str], rng: np.random.Generator) -> str:
-    """Return one of several wordings; always one draw."""
+    """Return one of several wordings, with exactly one random draw."""
     return options[int(rng.random() * len(options))]
 
 
 def without_assumptions(said: Sequence[str]) -> tuple[list[str], list[str]]:
-    """Return a story up to the closings on what holds throughout, and those."""
+    """Return a story without its closing general assumptions, and those assumptions."""
     count = len(said)
     while count and is_assumption(said[count - 1]):
         count -= 1
@@ -68,7 +68,7 @@ def without_assumptions(said: Sequence[str]) -> tuple[list[str], list[str]]:
 
 
 def assumptions(description: Description) -> list[str]:
-    """Return the last sentences of a text, as far as they say what holds throughout."""
+    """Return the closing general assumptions of a text."""
     said = list(description.sentences)
     count = len(said)
     while count and description.role(said[count - 1]) == "assumption":

@@ -1,1 +1,1 @@
-"""What several simplifications share."""
+"""Base classes and helpers of misconceptions."""

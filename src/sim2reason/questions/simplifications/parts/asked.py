@@ -1,4 +1,4 @@
-"""Extent of the motion that a query is about, and motion under constant forces."""
+"""The part of a motion that a query is about, and motion with constant accelerations."""
 
 from collections.abc import Callable
 
@@ -13,13 +13,13 @@ from sim2reason.simulation.trace import Trace, happened
 
 
 def asked_until(query: Query, study: Study) -> float:
-    """Return the time of the moment that is asked about, s; the end of the motion where there is none."""
+    """Return the time, s, of the query's moment; the end of the motion if it has none."""
     time = study.time(query.moment) if query.moment is not None else None
     return float(study.trace.state.times[-1]) if time is None else time
 
 
 def asked_name(query: Query) -> str:
-    """Return what is asked for: the name of a quantity or of a functional, as that of an item's answer."""
+    """Return the name of the quantity or functional asked for, as in an item's answer."""
     return KINDS[query.kind].measured(query).name
 
 
@@ -28,14 +28,14 @@ Formulas = Callable[[Array, Array, Array], tuple[Array, Array]]
 
 
 def is_steady(query: Query, study: Study) -> bool:
-    """Return whether what is let go moves with constant accelerations as long as is asked about."""
+    """Return whether bodies start from rest and move with constant accelerations up to the query's moment."""
     if any(coordinate.speed for coordinate in study.mechanism.coordinates):
         return False
     return not happened(study.trace.events, asked_until(query, study)) and not changing(study.mechanism)
 
 
 def with_formulas(trace: Trace, formulas: Formulas) -> Trace:
-    """Return a motion that goes on by some formulas with the accelerations and forces that it has at the start."""
+    """Return a motion by formulas from the initial state and the initial accelerations, with constant forces."""
     first = trace.sample(np.zeros(1))
 
     def sample(times: Array) -> State:

@@ -1,4 +1,4 @@
-"""Common mistakes about rockets: bodies that lose mass as they burn fuel."""
+"""Base class of misconceptions about rockets."""
 
 from abc import abstractmethod
 from collections.abc import Iterable
@@ -9,11 +9,11 @@ from sim2reason.questions.simplifications import ChangedMechanism
 from sim2reason.questions.study import Study
 from sim2reason.scenes.dsl.mechanism import Burn, Mechanism
 
-SLOWER = 1e-6  # factor on the rate of burning; the exhaust is faster by its inverse, so that the thrust stays
+SLOWER = 1e-6  # factor on the burn rate; its inverse multiplies the exhaust speed, so that the thrust stays equal
 
 
 class BurningSlip(ChangedMechanism):
-    """A common mistake about how one rocket burns its fuel."""
+    """The base class of misconceptions about the burn of one rocket."""
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
         """Return the bodies that burn fuel."""
@@ -21,13 +21,13 @@ class BurningSlip(ChangedMechanism):
         return [burn.body for burn in study.mechanism.burns]
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with the mistake made for one rocket."""
+        """Return the mechanism with the altered burn."""
         burns = tuple(self.burnt(mechanism, burn) if burn.body == subject else burn for burn in mechanism.burns)
         return replace(mechanism, burns=burns)
 
     @abstractmethod
     def burnt(self, mechanism: Mechanism, burn: Burn) -> Burn:
-        """Return the burn of one rocket with the mistake made."""
+        """Return the burn of a rocket under the misconception."""
 
 
 def without_loss(burn: Burn) -> Burn:

@@ -1,4 +1,4 @@
-"""What hangs from which strings."""
+"""Bodies that hang on strings, and movable pulleys."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -9,13 +9,13 @@ from sim2reason.scenes.dsl.frames import Frames, start
 from sim2reason.scenes.dsl.mechanism import Inextensible, Line, Mechanism, RigidBody
 from sim2reason.scenes.dsl.vectors import minus
 
-UPRIGHT = 1.0 - 1e-9  # cosine of the angle between what is upright and the vertical
+UPRIGHT = 1.0 - 1e-9  # cosine of the largest angle between a vertical string and the vertical
 PLAIN = Inextensible()
 
 
 @dataclass(frozen=True, slots=True)
 class HangingLoad:
-    """A body that strings hold from above, with what hangs from it in turn."""
+    """A body held by strings from above, with the loads that hang from it."""
 
     body: str
     strings: tuple[str, ...]  # those that hold it, part by part
@@ -24,14 +24,14 @@ class HangingLoad:
 
 
 def hanging(mechanism: Mechanism) -> dict[str, HangingLoad]:
-    """By name, what can only move straight up and down, and has strings to hold it and nothing else."""
+    """Return the bodies that can only move vertically and are held by strings alone, with their loads, by name."""
     holding = _Holding(mechanism)
     found = ((body.name, holding.hanging(body.name)) for body in mechanism.bodies)
     return {name: held for name, held in found if held is not None}
 
 
 def movable_pulleys(mechanism: Mechanism) -> tuple[str, ...]:
-    """Return what has no mass but its wheel's, and moves up and down with a string that passes it."""
+    """Return the names of the massless bodies, apart from a wheel, that move vertically with a string around them."""
     passed = {mechanism.site[site].body for line in mechanism.lines for site in line.through[1:-1]}
     turned = {wheel.coordinate for line in mechanism.lines for wheel in line.wheels}
     passed |= {coordinate.body for coordinate in mechanism.coordinates if coordinate.name in turned}
@@ -40,14 +40,14 @@ def movable_pulleys(mechanism: Mechanism) -> tuple[str, ...]:
 
 
 def carried(mechanism: Mechanism, name: str | None) -> str | None:
-    """Return the body that slides, of a wheel on it; None of what is fixed."""
+    """Return the sliding body for a wheel on it; None for a fixed point."""
     while name is not None and not any(c.kind == "slide" for c in mechanism.body[name].coordinates):
         name = mechanism.body[name].parent
     return name
 
 
 def _rises(body: RigidBody) -> bool:
-    """Return whether it moves straight up and down in the room."""
+    """Return whether the body moves vertically in the world frame."""
     if body.parent is not None or len(body.coordinates) != 1:
         return False
     (way,) = body.coordinates
@@ -55,14 +55,14 @@ def _rises(body: RigidBody) -> bool:
 
 
 class _Holding:
-    """Follows strings down from what they hold."""
+    """A search for loads that follows strings downwards."""
 
     def __init__(self, mechanism: Mechanism) -> None:
         self._mechanism = mechanism
         self._runs = list(_runs(mechanism, start(mechanism)))
 
     def hanging(self, name: str, seen: frozenset[str] = frozenset()) -> HangingLoad | None:
-        """Return a body with what hangs from it."""
+        """Return a body with the loads that hang from it; None if it is not held by strings alone."""
         mechanism = self._mechanism
         body = mechanism.body[name]
         if name in seen or name in mechanism.contacts or not _rises(body):
@@ -80,7 +80,7 @@ class _Holding:
 
 
 def _runs(mechanism: Mechanism, frames: Frames) -> Iterator[tuple[Line, str | None, str | None]]:
-    """Every straight piece of a line with what is at its lower and its upper end, both ways if it is not upright."""
+    """Yield every straight piece of a line with the objects at its lower and upper end; both ways if not vertical."""
     for line in mechanism.lines:
         for one, other in pairwise(line.through):
             ends = [carried(mechanism, mechanism.site[site].body) for site in (one, other)]

@@ -1,4 +1,4 @@
-"""What readings share of planets about a fixed star."""
+"""Planets about a fixed star, and altered motions of them."""
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
@@ -24,7 +24,7 @@ Told = Callable[["PlanetOrbit", Array, Array], Array]
 
 @dataclass(frozen=True, slots=True)
 class PlanetOrbit:
-    """A planet by where it starts, in the plane of its two coordinates, whose numbers are `numbers`."""
+    """A planet's initial state in the plane of its two coordinates, whose indices are `numbers`."""
 
     numbers: tuple[int, int]
     gravitational_parameter: float  # G M
@@ -33,35 +33,35 @@ class PlanetOrbit:
 
     @property
     def distance(self) -> float:
-        """From the star at the start."""
+        """Return the initial distance from the star, m."""
         return hypot(*self.place)
 
     @property
     def angular_momentum(self) -> float:
-        """About the star, of each kilogram; positive counter-clockwise."""
+        """Return the angular momentum about the star per mass, m²/s; positive if counter-clockwise."""
         (x, y), (vx, vy) = self.place, self.velocity
         return x * vy - y * vx
 
     @property
     def sense(self) -> float:
-        """1 where it goes round counter-clockwise, else −1."""
+        """Return 1 for a counter-clockwise orbit, else −1."""
         return copysign(1.0, self.angular_momentum)
 
     @property
     def eccentricity_vector(self) -> tuple[float, float]:
-        """It points to the periapsis: v × h/GM − r/r."""
+        """Return the eccentricity vector v × h/GM − r/r, which points to the periapsis."""
         (x, y), (vx, vy) = self.place, self.velocity
         h, mu = self.angular_momentum, self.gravitational_parameter
         return vy * h / mu - x / self.distance, -vx * h / mu - y / self.distance
 
     @property
     def semi_latus_rectum(self) -> float:
-        """h²/GM."""
+        """Return the semi-latus rectum h²/GM, m."""
         return self.angular_momentum**2 / self.gravitational_parameter
 
     @property
     def period(self) -> float | None:
-        """By Kepler's third law; None of what does not return."""
+        """Return the period by Kepler's third law, s; None for an open orbit."""
         left = 1.0 - hypot(*self.eccentricity_vector) ** 2
         if left <= 0.0:
             return None
@@ -69,7 +69,7 @@ class PlanetOrbit:
 
 
 def orbits(mechanism: Mechanism) -> list[PlanetOrbit]:
-    """Return those of all that a fixed body attracts, where nothing else but what so moves is there; none otherwise."""
+    """Return the planets of a fixed star, if the mechanism contains nothing else; else none."""
     if len({pull.power for pull in mechanism.attractions} | {2.0}) > 1 or mechanism.burns or mechanism.lines:
         return []
     frames, found = start(mechanism), list[PlanetOrbit]()
@@ -91,7 +91,7 @@ def orbits(mechanism: Mechanism) -> list[PlanetOrbit]:
 
 
 def moving_as(trace: Trace, formulas: Mapping[PlanetOrbit, Callable[[Array], Motion]]) -> Trace:
-    """Return a motion in which planets go as formulas of the time (n,) say."""
+    """Return a motion in which planets move by formulas of the time (n,)."""
 
     def sample(times: Array) -> State:
         q, v, a = (np.zeros((len(times), len(trace.mechanism.coordinates))) for _ in range(3))
@@ -105,19 +105,19 @@ def moving_as(trace: Trace, formulas: Mapping[PlanetOrbit, Callable[[Array], Mot
 
 
 def with_velocities(trace: Trace, velocity: Told) -> Trace:
-    """Return a motion along the same paths in the same times, with other velocities."""
+    """Return a motion along the same paths at the same times, with other velocities."""
     found = orbits(trace.mechanism)
     return _retold(trace, lambda state: (_told(state, found, velocity), state.a))
 
 
 def with_accelerations(trace: Trace, acceleration: Told) -> Trace:
-    """Return the same motion, whose accelerations are taken to be others."""
+    """Return the same motion with other accelerations."""
     found = orbits(trace.mechanism)
     return _retold(trace, lambda state: (state.v, _told(state, found, acceleration)))
 
 
 def _retold(trace: Trace, rates: Callable[[State], tuple[Array, Array]]) -> Trace:
-    """Return the places of a motion with other velocities and accelerations, (n, c) each."""
+    """Return the positions of a motion with other velocities and accelerations, (n, c) each."""
 
     def sample(times: Array) -> State:
         state = trace.sample(times)
@@ -145,6 +145,6 @@ def _read(trace: Trace, sample: Callable[[Array], State]) -> Trace:
 
 
 def directed(velocity: Array, speed: Array | float) -> Array:
-    """Return velocities of a given size in the directions of others, (n, 3); at rest, where there is none, zero."""
+    """Return velocities with given speeds in the directions of others, (n, 3); zero for bodies at rest."""
     now = np.linalg.norm(velocity, axis=1, keepdims=True)
     return np.divide(velocity * speed, now, out=np.zeros_like(velocity), where=now > 0.0)

@@ -1,4 +1,4 @@
-"""What slips share that take every collision to be of one kind."""
+"""Base class of misconceptions with one coefficient of restitution for all collisions."""
 
 from collections.abc import Iterable
 from dataclasses import replace
@@ -11,7 +11,7 @@ from sim2reason.scenes.dsl.mechanism import Mechanism
 
 
 class OneRestitution(ChangedMechanism):
-    """Every collision is taken to have one coefficient of restitution.
+    """The base class of misconceptions that assume one coefficient of restitution for all collisions.
 
     Class data:
         restitution: the coefficient.
@@ -20,12 +20,12 @@ class OneRestitution(ChangedMechanism):
     restitution: ClassVar[float]
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return the whole, where any has another."""
+        """Return the whole mechanism as the subject if a collision has another coefficient; else none."""
         del query
         return [""] if any(meeting.restitution != self.restitution for meeting in study.mechanism.meetings) else []
 
     def changed(self, mechanism: Mechanism, subject: str) -> Mechanism:
-        """Return the mechanism with that coefficient everywhere."""
+        """Return the mechanism with that coefficient in all collisions."""
         del subject
         same = tuple(replace(meeting, restitution=self.restitution, sticks=False) for meeting in mechanism.meetings)
         return replace(mechanism, meetings=same)

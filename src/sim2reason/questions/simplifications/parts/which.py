@@ -1,4 +1,4 @@
-"""Parts of a mechanism to which a simplification applies, and simpler figures for bodies."""
+"""Parts of a mechanism to which misconceptions apply, and base class of simplified shapes."""
 
 from collections.abc import Iterable
 from dataclasses import replace
@@ -15,19 +15,19 @@ from sim2reason.scenes.dsl.solids import Overlooked, Shape, Solid, composed, tra
 
 
 def wheels(mechanism: Mechanism) -> tuple[str, ...]:
-    """Return the bodies that a string turns as it passes."""
+    """Return the names of the wheels that strings turn."""
     turned = {wheel.coordinate for line in mechanism.lines if line.circle is None for wheel in line.wheels}
     return tuple(c.body for c in mechanism.coordinates if c.name in turned)
 
 
 def massive(mechanism: Mechanism) -> tuple[str, ...]:
-    """Return the bodies with mass that are no wheels."""
+    """Return the names of the bodies with mass, except wheels."""
     turned = wheels(mechanism)
     return tuple(body.name for body in mechanism.bodies if body.mass > 0.0 and body.name not in turned)
 
 
 def others(mechanism: Mechanism) -> tuple[str, ...]:
-    """The bodies with mass that matter to each other: none where only one of them can move, whatever is fixed."""
+    """Return the bodies with mass that may affect others: all if more than one can move, else the fixed ones."""
     found = massive(mechanism)
     moving = [name for name in found if _can_move(mechanism, name)]
     return found if len(moving) > 1 else tuple(name for name in found if name not in moving)
@@ -41,23 +41,23 @@ def _can_move(mechanism: Mechanism, name: str | None) -> bool:
 
 
 def carriers(mechanism: Mechanism) -> tuple[str, ...]:
-    """Return the bodies that can move, and carry others: wedges, boxes, carts with something on them."""
+    """Return the names of the bodies that can move and carry others, such as wedges and carts."""
     parents = {body.parent for body in mechanism.bodies} | {mechanism.site[name].body for name in _led(mechanism)}
     return tuple(body.name for body in mechanism.bodies if body.coordinates and body.mass and body.name in parents)
 
 
 def _led(mechanism: Mechanism) -> set[str]:
-    """Return the sites that lines pass on their way, as over a pulley."""
+    """Return the sites that lines pass between their ends, as over a pulley."""
     return {site for line in mechanism.lines for site in line.through[1:-1]}
 
 
 def solid(mechanism: Mechanism) -> list[str]:
-    """Return the bodies with inertia about their centres of mass that can turn."""
+    """Return the names of the bodies with moment of inertia that can rotate."""
     return [name for name in massive(mechanism) if any(mechanism.body[name].inertia) and _turns(mechanism, name)]
 
 
 def _turns(mechanism: Mechanism, name: str) -> bool:
-    """Return whether it, or what carries it, has a hinge."""
+    """Return whether a body or its carrier has a hinge."""
     body = mechanism.body[name]
     if any(coordinate.kind == "hinge" for coordinate in body.coordinates):
         return True
@@ -65,21 +65,21 @@ def _turns(mechanism: Mechanism, name: str) -> bool:
 
 
 def rough(mechanism: Mechanism) -> list[Face]:
-    """Return the faces on which something can slip against friction."""
+    """Return the faces with finite friction on which a body can slip."""
     return [face for face in mechanism.faces if face.friction > 0.0 and isfinite(face.friction)]
 
 
 class OtherFigure(Simplification):
-    """A slip about the figure of one body; its mass stays.
+    """The base class of misconceptions about the shape of one body, whose mass is kept.
 
     Class data:
-        overlooked: what of its figure a reader does not think of.
+        overlooked: the part of the shape that a solver overlooks.
     """
 
     overlooked: ClassVar[Overlooked]
 
     def subjects(self, query: Query, study: Study) -> Iterable[str]:
-        """Return what can turn and may be taken for such a figure."""
+        """Return the bodies that can rotate and have such a simplified shape."""
         del query
         bodies = study.scene.bodies
         return [
@@ -89,7 +89,7 @@ class OtherFigure(Simplification):
         ]
 
     def simplified(self, study: Study, subject: str, until: float) -> Study | None:
-        """Return the motion with the inertia of that figure."""
+        """Return the motion with the moments of inertia of the simplified shape."""
         figure = _figure(study.scene, subject, self.overlooked)
 
         def change(mechanism: Mechanism) -> Mechanism:
@@ -98,12 +98,12 @@ class OtherFigure(Simplification):
         return study.changed((self.name, subject), change, until)
 
     def taken_for(self, body: RigidBody, figure: Solid) -> RigidBody:
-        """Return the body with the moments of inertia of a figure about its centre of mass, which stays where it is."""
+        """Return the body with the moments of inertia of a shape about its unchanged centre of mass."""
         return replace(body, inertia=figure.inertia(body.mass))
 
 
 def _figure(scene: Scene, name: str, overlooked: Overlooked) -> Solid:
-    """Return the simpler figure as it is turned at the start, about what the text calls the centre of the body."""
+    """Return the simplified shape in its initial orientation about the body's centre."""
     shape = scene.bodies[name]
     assert isinstance(shape, Shape)
     axes = composed(transposed(shape.seen), scene.builder.turned[name])
