@@ -112,7 +112,7 @@ class OwnUnits:
 
 @dataclass(frozen=True, slots=True)
 class LawInUnits:
-    """A law of force, converted to other units of mass and time."""
+    """A force law, converted to other units of mass and time."""
 
     law: Law
     units: OwnUnits
@@ -130,11 +130,11 @@ class LawInUnits:
 
     @property
     def constant(self) -> bool:
-        """Return whether the force never changes."""
+        """Return whether the force is constant."""
         return self.law.constant
 
     def moved(self, by: Vector) -> "LawInUnits":
-        """Return this law about another origin."""
+        """Return this law with its origin translated."""
         return replace(self, law=self.law.moved(by))
 
 
