@@ -67,7 +67,7 @@ class BoredCylinder(Shape):
         return Axial(self.radius, hole=self.hole, offset=self.offset)
 
     def reach(self, way: Vector) -> float:
-        """To its surface."""
+        """Return the distance to the surface along a unit vector, m."""
         return self.radius * hypot(way[0], way[2])
 
 

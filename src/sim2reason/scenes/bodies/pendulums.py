@@ -40,7 +40,7 @@ class Ball(Body):
     listed = "{letter} ({mass})"
 
     def suits(self, noun: str, bodies: Mapping[str, Body]) -> bool:
-        """Return whether it is light enough for a bead, if it is to be called so."""
+        """Return whether the ball is light enough for the noun *bead*; True for other nouns."""
         del bodies
         return noun != "bead" or self.mass <= HEAVIEST_BEAD
 
@@ -77,7 +77,7 @@ class FixedBall(Shape):
         return Small("ball")
 
     def reach(self, way: Vector) -> float:
-        """Nowhere."""
+        """Return zero, the extent of a point, m."""
         del way
         return 0.0
 
@@ -122,7 +122,7 @@ class Bar(Shape):
 
 
 class Hanger(Body):
-    """Something light of a stated length between a fixed point and a bob."""
+    """Base class of light suspensions of a stated length between a fixed point and a bob."""
 
     length: Length
 

@@ -134,12 +134,12 @@ class Track(Body):
 
     @property
     def along(self) -> Vector:
-        """The unit vector to the right, or up the slope."""
+        """Return the unit vector to the right, or up the slope."""
         slope = radians(self.angle)
         return (cos(slope), 0.0, sin(slope))
 
     def carry(self, frame: Frame, speed: float = 0.0, stated: tuple[str, float] | None = None) -> Frame:
-        """Let a body move along the track, m/s, which may be an axis of the text: see `Frame.slide`."""
+        """Let a body move along the track with an initial speed, m/s; for `stated` see `Frame.slide`."""
         return frame.slide(self.along, speed, name="right", stated=stated)
 
 
@@ -154,7 +154,7 @@ class RoughTrack(Track):
     words = {**Track.words, "surface": Smoothness}
 
     def carry(self, frame: Frame, speed: float = 0.0, stated: tuple[str, float] | None = None) -> Frame:
-        """Let a body move along the track, m/s; how it presses on the track matters only if that is rough."""
+        """Let a body move along the track with an initial speed, m/s; friction needs the normal direction."""
         if self.friction == 0.0:
             return super().carry(frame, speed, stated)
         slope = radians(self.angle)

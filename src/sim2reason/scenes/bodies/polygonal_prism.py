@@ -82,16 +82,16 @@ class LongPrism(Shape):
 
     @property
     def sides(self) -> int:
-        """Of its cross-section."""
+        """Return the number of sides of the cross-section."""
         return SIDES[self.shape]
 
     @property
     def apothem(self) -> float:
-        """From its axis to the middle of a face, m."""
+        """Return the distance from the axis to the middle of a face, m."""
         return self.radius * cos(pi / self.sides)
 
     def edges(self, along: Vector, up: Vector) -> list[Vector]:
-        """From its axis to its edges as it lies on a face, the one in front first and the last behind it, m."""
+        """Return the vectors from the axis to the edges of a prism on a face, m, the front edge first."""
         turns = [(2 * number + 1) * pi / self.sides for number in range(self.sides)]
         return [add(scale(self.radius * sin(turn), along), scale(-self.radius * cos(turn), up)) for turn in turns]
 

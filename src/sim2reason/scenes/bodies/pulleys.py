@@ -12,7 +12,7 @@ PulleyMass = Annotated[float, Ge(0), Le(1e6), Measure("pulley mass", "kg", "M", 
 
 
 class Pulley(Body):
-    """What all pulleys share. With mass one is a uniform disc, whose radius does not matter."""
+    """Base class of pulleys; one with mass is a uniform disc, whose radius has no effect."""
 
     mass: PulleyMass = 0.0
 

@@ -1,4 +1,4 @@
-"""Scenes: entities, connections and a world, as one frozen value."""
+"""Scenes: entities, connections and a world, as one immutable value."""
 
 from collections.abc import Mapping
 from typing import Any, Self, cast
@@ -31,7 +31,7 @@ class World(Model):
 
 
 class Scene(Model):
-    """Entities by name, the connections between their ports, and the world.
+    """A physical system: named entities, the connections between their ports, and the world.
 
     A scene is immutable, and checked when it is made. Numbers, bodies and connections have addresses, such as
     ``ramp.block.mass``, which `value`, `having` and `without` take.
