@@ -50,7 +50,7 @@ class ChargedBead(Body):
 
     @property
     def look(self) -> Small:
-        """A filled circle with the sign of the charge."""
+        """Return the drawn shape: a filled circle with the sign of the charge."""
         return Small("ball", "+" if self.sign == "positive" else "\N{MINUS SIGN}")
 
 
@@ -66,13 +66,13 @@ class BeadStart(Body):
 
     @property
     def look(self) -> Unseen:
-        """Its velocity is drawn at the bead."""
+        """Return the drawn shape: its velocity is drawn at the bead."""
         return Unseen()
 
 
 @body
 class Launched(BeadStart):
-    """A bead with an initial velocity."""
+    """It has a velocity."""
 
     speed: Annotated[Speed, Range(1.5, 4.0)]
     angle: Heading
@@ -103,7 +103,7 @@ class Launched(BeadStart):
 
 @body
 class Released(BeadStart):
-    """A bead released from rest."""
+    """It is let go."""
 
     nouns = ("start",)
     lone = (

@@ -21,7 +21,7 @@ class Arm(Body):
 
     @property
     def look(self) -> Slender:
-        """A bar."""
+        """Return the drawn shape: a bar."""
         return Slender("rod")
 
 
@@ -46,7 +46,7 @@ class Ball(Body):
 
     @property
     def look(self) -> Small:
-        """A filled circle."""
+        """Return the drawn shape: a filled circle."""
         return Small("ball")
 
 
@@ -68,12 +68,12 @@ class FixedBall(Shape):
 
     @property
     def solid(self) -> Solid:
-        """A point."""
+        """Return the figure of a point."""
         return point()
 
     @property
     def look(self) -> Small:
-        """A filled circle."""
+        """Return the drawn shape: a filled circle."""
         return Small("ball")
 
     def reach(self, way: Vector) -> float:
@@ -107,17 +107,17 @@ class Bar(Shape):
 
     @property
     def solid(self) -> Solid:
-        """About its centre."""
+        """Return the uniform figure, with the centre as origin."""
         return box(self.width, self.thickness, self.length)
 
     @property
     def plainer(self) -> Mapping[Overlooked, Solid]:
-        """A thin rod."""
+        """Return the simplified figures: a thin rod."""
         return {"section": rod(self.length)}
 
     @property
     def look(self) -> Rectangular:
-        """A rectangle."""
+        """Return the drawn shape: a rectangle."""
         return Rectangular(self.width, self.thickness, self.length)
 
 
@@ -139,7 +139,7 @@ class Cord(Hanger):
 
     @property
     def look(self) -> Slender:
-        """A thin line."""
+        """Return the drawn shape: a thin line."""
         return Slender("string")
 
 
@@ -153,7 +153,7 @@ class LightRod(Hanger):
 
     @property
     def look(self) -> Slender:
-        """A bar."""
+        """Return the drawn shape: a bar."""
         return Slender("rod")
 
 
@@ -176,10 +176,10 @@ class UniformRod(Shape):
 
     @property
     def solid(self) -> Solid:
-        """About its centre."""
+        """Return the uniform figure, with the centre as origin."""
         return rod(self.length)
 
     @property
     def look(self) -> Axial:
-        """A thick line."""
+        """Return the drawn shape: a thick line."""
         return Axial(0.0, self.length)

@@ -54,7 +54,7 @@ class Plane(Body):
 
     @property
     def look(self) -> FixedPlane:
-        """A hatched line, or a slope."""
+        """Return the drawn shape: a hatched line, or a slope."""
         return FixedPlane(self.angle)
 
 
@@ -75,7 +75,7 @@ class Box(Body):
 
     @property
     def look(self) -> BigBox:
-        """A rectangle below and between what it carries."""
+        """Return the drawn shape: a rectangle below and between what it carries."""
         return BigBox()
 
 
@@ -100,7 +100,7 @@ class Incline(Body):
 
     @property
     def look(self) -> FixedPlane:
-        """A hatched line, or a slope."""
+        """Return the drawn shape: a hatched line, or a slope."""
         return FixedPlane(self.angle)
 
 
@@ -129,7 +129,7 @@ class Track(Body):
 
     @property
     def look(self) -> FixedPlane:
-        """A hatched line, or a slope."""
+        """Return the drawn shape: a hatched line, or a slope."""
         return FixedPlane(self.angle)
 
     @property
@@ -189,7 +189,7 @@ class Wedge(Body):
 
     @property
     def look(self) -> MovingSlope:
-        """A triangle."""
+        """Return the drawn shape: a triangle."""
         return MovingSlope()
 
 
@@ -218,5 +218,5 @@ class Prism(Body):
 
     @property
     def look(self) -> MovingSlope:
-        """A triangle."""
+        """Return the drawn shape: a triangle."""
         return MovingSlope()

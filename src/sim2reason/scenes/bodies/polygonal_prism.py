@@ -49,17 +49,17 @@ class PolygonalPrism(Shape):
 
     @property
     def solid(self) -> Solid:
-        """About its centre."""
+        """Return the uniform figure, with the centre as origin."""
         return prism(self.sides, self.radius, self.height)
 
     @property
     def plainer(self) -> Mapping[Overlooked, Solid]:
-        """A thin rod, and a thin plate."""
+        """Return the simplified figures: a thin rod, and a thin plate."""
         return {"section": rod(self.height), "height": polygon(self.sides, self.radius)}
 
     @property
     def look(self) -> Axial:
-        """A rectangle from the side, a polygon from its end."""
+        """Return the drawn shape: a rectangle from the side, a polygon from its end."""
         return Axial(self.radius, self.height, sides=self.sides)
 
 
@@ -97,10 +97,10 @@ class LongPrism(Shape):
 
     @property
     def solid(self) -> Solid:
-        """As its cross-section: its length does not change how it turns about its axis."""
+        """Return the cross-section, since the length has no effect on rotation about the axis."""
         return polygon(self.sides, self.radius)
 
     @property
     def look(self) -> Axial:
-        """A polygon: it is seen from its end."""
+        """Return the drawn shape: a polygon: it is seen from its end."""
         return Axial(self.radius, sides=self.sides)

@@ -33,7 +33,7 @@ class FixedPulley(Pulley):
 
     @property
     def look(self) -> PulleyWheel:
-        """A wheel on a bracket."""
+        """Return the drawn shape: a wheel on a bracket."""
         return PulleyWheel(fixed=True, solid=self.mass > 0.0)
 
 
@@ -47,7 +47,7 @@ class MovablePulley(Pulley):
 
     @property
     def look(self) -> PulleyWheel:
-        """A wheel."""
+        """Return the drawn shape: a wheel."""
         return PulleyWheel(fixed=False, solid=self.mass > 0.0)
 
 

@@ -49,7 +49,7 @@ class Rocket(Body):
 
     @property
     def look(self) -> Small:
-        """A rocket."""
+        """Return the drawn shape: a rocket."""
         return Small("rocket")
 
 
@@ -93,7 +93,7 @@ class AirlessPlanet(StartingPlace):
 
     @property
     def look(self) -> Globe:
-        """A wide curve."""
+        """Return the drawn shape: a wide curve."""
         return Globe()
 
 
@@ -110,7 +110,7 @@ class LevelGround(StartingPlace):
 
 @body
 class DeepSpace(StartingPlace):
-    """Space without any attracting body."""
+    """Far from everything."""
 
     nouns = ("space",)
     lone = (
@@ -141,7 +141,7 @@ class Star(Body):
 
     @property
     def look(self) -> Small:
-        """A bright disc."""
+        """Return the drawn shape: a bright disc."""
         return Small("star")
 
 
@@ -172,7 +172,7 @@ class Planet(Body):
 
     @property
     def look(self) -> Small:
-        """A small filled circle."""
+        """Return the drawn shape: a small filled circle."""
         return Small("planet")
 
 
@@ -195,5 +195,5 @@ class HeavyPlanet(Body):
 
     @property
     def look(self) -> Small:
-        """A small filled circle."""
+        """Return the drawn shape: a small filled circle."""
         return Small("planet")
