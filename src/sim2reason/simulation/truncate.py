@@ -29,10 +29,10 @@ Flags = NDArray[np.bool_]
 WINDOW = 50  # samples; with w samples no |aᵢ − µ| exceeds √w·σ, so under 26 none reaches 5σ
 DEVIATIONS = 5.0
 BENDS = 8.0  # times the local median of the third difference
-FLOOR = 1e-6  # of a column's largest value, or of 1: smaller values are round-off
+FLOOR = 1e-6  # fraction of a column's largest value, or of 1: smaller values are round-off
 PIECES, ZOOMS = 32, 2  # pieces of an interval, and how often three of them are subdivided again
 STRAIGHT = 1.0 / 33.0  # in three of 32 pieces a parabola's bend shrinks to 1/114, a corner's to 1/11
-ROUNDING = 1e-9  # of the largest value there: a smaller bend is round-off
+ROUNDING = 1e-9  # fraction of the largest value there: a smaller bend is round-off
 
 
 class Alarm(NamedTuple):

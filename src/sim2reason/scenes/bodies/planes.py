@@ -75,7 +75,7 @@ class Box(Body):
 
     @property
     def look(self) -> BigBox:
-        """Return the drawn shape: a rectangle below and between what it carries."""
+        """Return the drawn shape: a rectangle below and between the bodies on it."""
         return BigBox()
 
 

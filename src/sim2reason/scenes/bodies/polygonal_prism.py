@@ -44,7 +44,7 @@ class PolygonalPrism(Shape):
 
     @property
     def sides(self) -> int:
-        """Of its cross-section."""
+        """Return the number of sides of the cross-section."""
         return SIDES[self.shape]
 
     @property

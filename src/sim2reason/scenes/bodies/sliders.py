@@ -162,5 +162,5 @@ class Slab(Body):
 
     @property
     def look(self) -> Small:
-        """Return the drawn shape: a flat rectangle, longer than what it carries."""
+        """Return the drawn shape: a flat rectangle, longer than the bodies on it."""
         return Small("slab")

@@ -12,7 +12,7 @@ from sim2reason.scenes.dsl.frames import BodyFrame, Frames, start
 from sim2reason.scenes.dsl.mechanism import NO_INERTIA, ZERO, Face, Inextensible, Line, Mechanism, Rigid, RigidBody
 from sim2reason.scenes.dsl.vectors import Point
 
-NEARLY_NOTHING = 1e-6  # of a mass: mass of a removed body, so that no equation becomes singular
+NEARLY_NOTHING = 1e-6  # fraction of a mass: mass of a removed body, so that no equation becomes singular
 
 
 def held(mechanism: Mechanism, name: str) -> Mechanism:
@@ -80,7 +80,7 @@ def _without_wheels(line: Line, gone: set[str]) -> Line:
     return line if len(wheels) == len(line.wheels) else replace(line, wheels=wheels)
 
 
-SMALL = 1e-9  # of a velocity of 1 m/s or 1 rad/s: smaller ones count as zero
+SMALL = 1e-9  # fraction of a velocity of 1 m/s or 1 rad/s: smaller ones count as zero
 EVEN = 1e-9  # largest vertical component of a horizontal direction
 
 

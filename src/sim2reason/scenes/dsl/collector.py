@@ -54,7 +54,7 @@ class Collector:
     def __init__(
         self, gravity: Vector = (0.0, 0.0, -GRAVITY), glued: Iterable[str] = (), units: UnitSystem = SI
     ) -> None:
-        """Start without parts; bodies in `glued` are welded to their parents whatever an entity declares."""
+        """Start without parts; bodies in `glued` are welded to their parents regardless of the entities."""
         self._gravity, self._units = gravity, units
         self._glued = frozenset(glued)
         self._bodies: dict[str, RigidBody] = {}

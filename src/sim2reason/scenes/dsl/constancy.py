@@ -11,7 +11,7 @@ ALIGNED = 1e-9  # largest difference of parallel unit vectors
 
 
 def changing(mechanism: Mechanism, frames: Frames | None = None) -> str:
-    """Return what makes the equations of motion change, in a few words; empty if they are constant."""
+    """Return the reason why the equations of motion change, in a few words; empty if they are constant."""
     return mechanism.once("changing", lambda: _changing(mechanism, frames))
 
 
@@ -37,7 +37,7 @@ def may_turn_back(mechanism: Mechanism) -> bool:
 
 
 def turns_one_way(mechanism: Mechanism, name: str) -> bool:
-    """Return whether a body that rolls or slips on a plane never reverses its rotation, whatever its numbers are.
+    """Return whether a body that rolls or slips on a plane never reverses its rotation, for any parameters.
 
     A body that starts from rest never does if no motion may turn back. Nor does a lone body launched with its centre
     and its rim moving in one sense, not up the slope: friction slows one and speeds up the other until they agree.

@@ -128,7 +128,7 @@ class Entity(Part):
 
     @property
     def clocked(self) -> bool:
-        """Return whether the text says what happens at t = 0, so that a start from rest is no release."""
+        """Return whether the text states the motion at t = 0, so that a start from rest is no release."""
         return False
 
     @property

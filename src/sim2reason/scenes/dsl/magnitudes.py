@@ -108,7 +108,7 @@ DENSITIES: Mapping[Matter, Span] = {
     "solid": (100.0, 12000.0),  # kg/m³: from cork to lead
     "planet": (800.0, 6000.0),  # from ice to rock rich in iron
 }
-PLANET = 1e-3  # of the mass of its star: a heavier planet would move the star noticeably
+PLANET = 1e-3  # fraction of the mass of its star: a heavier planet would move the star noticeably
 STRETCH: Span = (0.5, 1.5)  # of the natural length of a spring
 
 

@@ -270,7 +270,7 @@ def join_unit(number: str, unit: str) -> str:
     return number + shown if shown in ("", "°") else f"{number} {shown}"
 
 
-LEAST = Ge(1e-6)  # of what must be greater than zero: less is a slip of the pen, and lost beside a kilogram in engines
+LEAST = Ge(1e-6)  # bound of positive numbers: smaller ones are typing errors, lost beside a kilogram in engines
 FASTEST = 3e7  # m/s, a tenth of the speed of light, up to which Newton's laws are good to a percent
 Mass = Annotated[float, LEAST, Le(1e9), Measure("mass", "kg", "m"), Range(0.5, 10.0)]
 Angle = Annotated[float, Ge(0), Lt(90), Measure("angle", "deg", r"\theta", decimals=0), Range(10.0, 70.0)]

@@ -225,7 +225,7 @@ class Meeting:
 
 @record()
 class Mechanism(Memo):
-    """Bodies, lines, faces and forces with all numbers that an engine needs.
+    """The engine-independent model of a scene: bodies, lines, contacts and forces with all numbers.
 
     All numbers are in the coherent units `units`, the SI by default; angles are in radians. At the start the axes of
     all frames are those of the room: x to the right, y away from the reader, z up.

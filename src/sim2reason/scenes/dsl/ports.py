@@ -142,7 +142,7 @@ class Pass(SitePort, StringPort):
 
 @dataclass(frozen=True, kw_only=True)
 class Chain(StringPort):
-    """A port for a string that consists of other ports: an end, and what the string passes on its way out.
+    """A port for a string that consists of other ports: an end, and the pulleys that the string passes.
 
     Attributes:
         stops: Names of the other ports, from the inside out.

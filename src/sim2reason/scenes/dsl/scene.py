@@ -25,7 +25,7 @@ MAX_ENTITIES = 8
 
 
 class World(Model):
-    """What acts on everything."""
+    """The surroundings of a scene: its gravity."""
 
     gravity: Gravity = GRAVITY
 

@@ -11,7 +11,7 @@ from sim2reason.scenes.dsl.frames import Frames
 from sim2reason.scenes.dsl.mechanism import Mechanism, Rigid
 from sim2reason.scenes.dsl.vectors import product
 
-ROUNDING = 1e-9  # of the largest speed, or of 1 m/s
+ROUNDING = 1e-9  # fraction of the largest speed, or of 1 m/s
 TOUCHING = 1e-9  # m
 
 

@@ -140,7 +140,7 @@ def rarely(*wordings: str) -> Wordings:
 
 
 def among(field: str, *wordings: str) -> Wordings:
-    """Return a sentence on the members of a part that is only said if there are several.
+    """Return a sentence on the members of a part that is used only if there are several.
 
     A single member is described where a port names it.
 
@@ -213,7 +213,7 @@ def defining_axes(*wordings: str) -> Wordings:
 
 
 def assuming(*wordings: str) -> Wordings:
-    """Return a sentence on an assumption that introduces nothing new; a prompt may place it after the question.
+    """Return a sentence on an assumption that introduces no body; a prompt may place it after the question.
 
     Args:
         *wordings: Templates of the sentence, of which a seed selects one.

@@ -152,7 +152,7 @@ def _lexeme(kind: str, word: str) -> tuple[str, str]:
 
 
 def factors(text: str) -> list[tuple[str, int]]:
-    """Return the words of a unit with their powers, in the order in which they stand; the empty text has none.
+    """Return the words of a unit with their powers, in the order of the text; an empty text has none.
 
     Words are as in the table but not yet looked up. Raises `UnitError` for what is not built like a unit.
     """

@@ -37,7 +37,7 @@ Rate = Annotated[float, Ge(-1e3), Le(1e3), Measure("velocity", "m/s", "v", decim
 NEAREST = 0.05  # m from the block to a nail, and between nails
 LONG = Range(0.8, 1.25)  # initial length of a drawn spring, in natural lengths
 SHORTEST = 0.1  # m, of a drawn spring
-SWING = 0.3  # of the shortest natural length: amplitude of a launch
+SWING = 0.3  # fraction of the shortest natural length: amplitude of a launch
 PERIODS = 2.0  # periods of an oscillation on all springs in parallel in the default duration
 
 

@@ -123,7 +123,7 @@ class SpringMassChain(Entity):
             room.spring(f"springs.{index}", *joined, stiffness=spring.stiffness, length=length, damping=damping)
 
 
-LEAST = 0.1  # of the initial distance between neighbours: smallest distance of two beads
+LEAST = 0.1  # fraction of the initial distance between neighbours: smallest distance of two beads
 RingSprings = Annotated[tuple[Coil, ...], Len(2, 6), Count(2, 6), Sized(lambda held: len(held["beads"]))]
 
 

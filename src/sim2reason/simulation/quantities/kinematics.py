@@ -12,7 +12,7 @@ from sim2reason.simulation.quantities.subjects.paths import EVEN, center_path
 
 RANGE, SLANTED = 1.5, 0.15  # relative frequencies of the range of a projectile, and of its slanted distance
 SWUNG = 0.3  # relative frequency of the acceleration of a point on a swinging body
-STRAIGHT = 1e-9  # of the product of speed and acceleration: below, the path counts as straight
+STRAIGHT = 1e-9  # fraction of the product of speed and acceleration: below, the path counts as straight
 
 
 @quantity

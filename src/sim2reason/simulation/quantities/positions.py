@@ -155,7 +155,7 @@ def _bounces(mechanism: Mechanism, name: str) -> bool:
     return any(gap.normal is not None and gap.normal[2] > UPRIGHT for gap in met)
 
 
-SLACK = 1e-6  # of its length: a string that is shorter by more is slack
+SLACK = 1e-6  # fraction of its length: a string that is shorter by more is slack
 
 
 @quantity

@@ -84,7 +84,7 @@ class Balance:
 
 STEPS = 40  # largest number of steps of the search
 PATIENCE = 6  # steps after which a force without restoring stiffness must have vanished
-FLAT = 1e-6  # of the largest stiffness: a smaller one counts as zero
+FLAT = 1e-6  # fraction of the largest stiffness: a smaller one counts as zero
 LONGEST = 0.5  # largest step: rad, or as a fraction of the longest line
 STARTS = 32  # starting points of the search for other equilibria; few miss a basin of a tenth of the range
 NEAR = 0.2  # rad, and fraction of the shortest line: a motion within that avoids collisions

@@ -14,8 +14,8 @@ from sim2reason.simulation.engines.exact.tape import Tape
 
 Vector = NDArray[np.float64]
 
-EXACT = 1e-10  # of the largest force, or m: accuracy of an equilibrium
-LITTLE = 1e-6  # of the largest force, or m: smaller values count as zero
+EXACT = 1e-10  # fraction of the largest force, or m: accuracy of an equilibrium
+LITTLE = 1e-6  # fraction of the largest force, or m: smaller values count as zero
 SLIGHT = 1e-3  # strain of the stiffest spring that sets the scale of forces
 DIFFERENCE = 6e-6  # m or rad, for central differences
 

@@ -19,8 +19,8 @@ from sim2reason.simulation.rest.equilibrium import Rest, equilibrium, neighbour
 from sim2reason.simulation.rest.loads import Vector
 from sim2reason.simulation.trace import ENGINES
 
-MASSLESS = 1e-9  # of the largest inertia: a smaller one counts as massless
-STILL = 1e-6  # of the largest ω²: a smaller one counts as zero
+MASSLESS = 1e-9  # fraction of the largest inertia: a smaller one counts as massless
+STILL = 1e-6  # fraction of the largest ω²: a smaller one counts as zero
 
 
 @dataclass(frozen=True)
@@ -121,8 +121,8 @@ def _same(mine: Vector, its: Vector) -> bool:
 
 SMALL = 1e-3  # amplitude: rad, or fraction of the shortest straight line segment
 SAMPLES = 5  # in half a period
-SHAPE = 1e-2  # of the amplitude: largest deviation of a small oscillation from a sine
-PHASE = 1e-3  # of a period: largest phase error
+SHAPE = 1e-2  # fraction of the amplitude: largest deviation of a small oscillation from a sine
+PHASE = 1e-3  # fraction of a period: largest phase error
 INSTANT = 1e-3  # s: duration of the simulation of a state at rest
 
 

@@ -51,7 +51,7 @@ def alike(gliders: Sequence[Glider]) -> tuple[Glider, ...]:
 Sprung = TypeVar("Sprung", Joined, Buffered)
 HARDEST = {Buffered: 2000.0, Joined: 500.0}  # N/m, of drawn springs; joined bodies keep oscillating
 
-SQUEEZED = 0.45  # of its length: largest compression of a spring between two bodies
+SQUEEZED = 0.45  # fraction of its length: largest compression of a spring between two bodies
 
 
 def fit(gliders: Sequence[Glider], joined: Sequence[Joined], buffers: Sequence[Buffered]) -> dict[str, object]:

@@ -8,7 +8,7 @@ from sim2reason.simulation.engines.exact.lengths import RowKind
 from sim2reason.simulation.engines.exact.linear import Forces, Gradient, Mode, Problem, Row, Solution, gradient, solve
 from sim2reason.simulation.engines.exact.system import Instant, System
 
-RISING = 1e-9  # of the largest velocity or acceleration: a separating contact opens faster than this
+RISING = 1e-9  # fraction of the largest velocity or acceleration: a separating contact opens faster than this
 PIVOTS = 64  # sets of separating contacts tried before the contact with the most negative normal force is returned
 
 
@@ -40,7 +40,7 @@ def lifted(problem: Problem, heave: list[Row], found: Solution, small: float) ->
 def _rises(
     problem: Problem, heave: list[Row], mode: Mode, apart: tuple[int, ...], small: float
 ) -> tuple[tuple[int, ...], frozenset[int]]:
-    """Return the contacts of `apart` that open if exactly these separate, and all that contradict this assumption."""
+    """Return the contacts of `apart` that open if exactly these separate, and those that contradict it."""
     opened, kept = _opened(problem, heave, apart)
     rubbing = tuple(side for grip, side in zip(problem.grips, mode.rubbing, strict=True) if grip.contact not in apart)
     found = search(opened, Mode(mode.acting, rubbing))

@@ -13,15 +13,15 @@ from sim2reason.errors import SimulationError
 from sim2reason.simulation.engines.exact.linear import Forces, Mode, Problem, RoughContact, Row, Solution, dot, solve
 from sim2reason.simulation.engines.exact.redundant_supports import bearing
 
-TOLERANCE = 1e-10  # of the largest load or velocity: values below count as zero
+TOLERANCE = 1e-10  # fraction of the largest load or velocity: values below count as zero
 FLIPS = 40  # iterations of the search before all modes are tried
 MODES = 2000  # largest number of modes for an exhaustive search
 EVALUATION, BEARING = 2_000, 50_000  # least operations of one mode and of a search for alternative forces
-FAINT = 1e-6  # of the largest mass: artificial mass of a massless unsupported body during the search
+FAINT = 1e-6  # fraction of the largest mass: artificial mass of a massless unsupported body during the search
 
 
 class NoForcesError(SimulationError):
-    """No contact mode is consistent; the caller adds the names of the rough contacts."""
+    """An error if no contact mode is consistent; the caller adds the names of the rough contacts."""
 
 
 @dataclass(slots=True)

@@ -14,8 +14,8 @@ from sim2reason.simulation.engines.exact.margins import Formulas
 ARMED = 1e-9  # value that a margin must exceed after starting at zero before its return to zero is an event
 DRIFT = 1e-7  # a margin may start this far below zero, as integration and impacts leave it
 TANGENTS = 12  # pairs of tangents used to locate a minimum
-EDGE = 0.05  # of an interval: fraction near its ends where an intersection of tangents is ignored
-NEAR = 1e-6  # of a step: width of the finite difference for a slope
+EDGE = 0.05  # fraction of an interval: fraction near its ends where an intersection of tangents is ignored
+NEAR = 1e-6  # fraction of a step: width of the finite difference for a slope
 HALVES = 12  # bisections towards the start in search of a margin that rises from zero
 
 Margin = Callable[[float], float]

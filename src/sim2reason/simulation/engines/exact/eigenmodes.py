@@ -16,8 +16,8 @@ from sim2reason.simulation.engines.exact.affine import LinearEquations
 from sim2reason.simulation.engines.exact.dop853 import Values
 from sim2reason.simulation.engines.exact.eigenpairs import REST, SOUND, DampedModes, found_damped
 
-TURNED = 1e-9  # of the largest eigenvalue: a smaller imaginary part counts as zero
-STILL = 1e-13  # of the largest eigenvalue: a smaller eigenvalue counts as zero
+TURNED = 1e-9  # fraction of the largest eigenvalue: a smaller imaginary part counts as zero
+STILL = 1e-13  # fraction of the largest eigenvalue: a smaller eigenvalue counts as zero
 SHARE = 8  # subdivisions of the fastest period
 HALVINGS = 30  # largest number of times that an interval is halved
 FINE = 64  # subdivisions of the fastest period if margins are evaluated on each piece

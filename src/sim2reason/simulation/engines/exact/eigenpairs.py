@@ -13,7 +13,7 @@ Complex = npt.NDArray[np.complex128]
 Exact = Sequence[Sequence[Fraction]]
 
 ROUNDS = 4  # Newton iterations; each doubles the number of digits
-SHIFT = 1e-6  # of the largest eigenvalue: a larger Newton correction has converged to another eigenvalue
+SHIFT = 1e-6  # fraction of the largest eigenvalue: a larger Newton correction has converged to another eigenvalue
 
 
 def rounded(matrix: Exact) -> Array:
@@ -76,7 +76,7 @@ def _product(row: Sequence[Fraction], values: Sequence[Fraction]) -> Fraction:
     return sum((part * value for part, value in zip(row, values, strict=True) if part), Fraction())
 
 
-STILL = 1e-13  # of the largest rate: a smaller rate counts as zero
+STILL = 1e-13  # fraction of the largest rate: a smaller rate counts as zero
 SOUND = 1e8  # largest condition number of the eigenvectors; at critical damping they do not form a basis
 REST = 1e-11  # m/s or rad/s; a slower motion counts as rest
 

@@ -25,9 +25,9 @@ from sim2reason.simulation.engines.exact.margins import StopReason
 from sim2reason.simulation.engines.exact.system import Instant
 
 ABSOLUTE = 1e-2  # absolute error per relative tolerance of a step, in m or rad and their rates
-SHORTEST = 1e-13  # of the duration: a smaller step indicates a singularity
+SHORTEST = 1e-13  # fraction of the duration: a smaller step indicates a singularity
 OFF = 1e-6  # m; larger violation of an acting constraint is an error
-TIE = 1e-10  # of the duration: events closer than this are simultaneous
+TIE = 1e-10  # fraction of the duration: events closer than this are simultaneous
 POLISHES = 4  # corrections of an event time by an integrator step
 PATIENCE = 200  # steps after which the number of remaining steps is first estimated
 MANY = 20_000  # remaining steps above which linear equations are solved by eigenmodes instead

@@ -22,7 +22,7 @@ from sim2reason.simulation.engines.exact.tape import Symbol, Tape, value_of
 
 FAINT = 1e-9  # a smaller change of a margin counts as zero
 MEET = 1e-9  # m; the ends of a straight line segment that are closer coincide
-PIVOT = 1e-6  # of its initial size: a pivot that shrinks below this is unusable
+PIVOT = 1e-6  # fraction of its initial size: a pivot that shrinks below this is unusable
 TOGETHER = 1e-7  # m; at smaller distances a line has no direction, and a step could skip the coincidence of its points
 STAGES, MARGINS = 13, 3  # evaluations of rates and of margins per step
 UNKNOWN, FIXED = 400, 500  # operations of a step for each coordinate, and in total at least

@@ -10,7 +10,7 @@ from sim2reason.simulation.budget import Budget
 from sim2reason.simulation.engines.exact.tape import value_of
 
 Row = list[float]
-NEGLIGIBLE = 1e-11  # of a row's largest entry: a smaller pivot counts as zero
+NEGLIGIBLE = 1e-11  # fraction of a row's largest entry: a smaller pivot counts as zero
 
 
 @dataclass(slots=True)
@@ -128,7 +128,7 @@ class RoughContact:
 
 
 class Mode(NamedTuple):
-    """Which constraint rows act, and the state of each rough contact: 0 sticks, ±1 slips in that direction."""
+    """A contact mode: which constraint rows act, and how each rough contact rubs: 0 sticks, ±1 slips."""
 
     acting: tuple[bool, ...]
     rubbing: tuple[int, ...]

@@ -10,7 +10,7 @@ from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.exact.linear import Mode, Problem, Row
 
 ROUNDING = 1e-12  # relative threshold of round-off
-ALLOWED = 1e-9  # of the largest load: admissible residual
+ALLOWED = 1e-9  # fraction of the largest load: admissible residual
 
 
 def bearing(problem: Problem, mode: Mode, x: Row) -> tuple[Row, Row] | None:

@@ -14,7 +14,7 @@ from sim2reason.simulation.engines.exact.margins import Margin
 from sim2reason.simulation.engines.exact.motion import EventLog, Segment
 from sim2reason.simulation.engines.exact.system import TOUCHING, Instant, Near, System
 
-ROUNDING = 1e-9  # of the largest impulse or momentum: a smaller negative impulse is round-off
+ROUNDING = 1e-9  # fraction of the largest impulse or momentum: a smaller negative impulse is round-off
 
 
 @dataclass(slots=True)

@@ -19,7 +19,7 @@ from sim2reason.simulation.engines.mujoco.compiled_model import CompiledModel, F
 TURNS = 24  # largest number of iterations of overlaps and creep
 ROUNDS = 60  # largest number of iterations of the normal forces behind the friction
 PATIENT = 30  # rounds after which small forces may keep changing
-CLOSE = 1e-10  # of the largest force: smaller differences count as equal
+CLOSE = 1e-10  # fraction of the largest force: smaller differences count as equal
 EQUAL = 1e-7  # the same for forces that are not unique
 LEAST = 1e-12  # m; an overlap that still creates a constraint row
 

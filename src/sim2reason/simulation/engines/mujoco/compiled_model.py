@@ -17,7 +17,7 @@ Integers = NDArray[np.intp]
 Flags = NDArray[np.bool_]
 
 LOAD = 5_000  # operations to compute the forces of a state
-SOFTNESS = 1e-5  # of a constraint, relative to the inverse of the largest mass
+SOFTNESS = 1e-5  # fraction of a constraint, relative to the inverse of the largest mass
 
 
 class Softness(NamedTuple):
@@ -147,7 +147,7 @@ class CompiledModel:
         self._heights, self._places = np.array(q[self.faces]), np.array(q[self.rubs])
 
     def overlap(self, overlaps: Array) -> None:
-        """Shift every limit, by slot, so that it is overstepped by this distance, m, at the state given to `stand`."""
+        """Shift the limit of every slot so that it is overstepped by this distance, m, at the state set by `stand`."""
         ranges = self._model.tendon_range
         ranges[self.tendons, 1] = self._lengths[self.tendons] - overlaps[self.strings]
         ranges[self.pairs, 1] = self._lengths[self.pairs] - overlaps[self.hits]

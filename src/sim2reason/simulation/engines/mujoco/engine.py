@@ -21,7 +21,7 @@ TIE = 1e-9  # s; events closer than this are simultaneous
 TOGETHER = 1e-7  # s; the same for ends of the motion, as lengths are known to 1e-8 m and may change slowly
 REST = 1e-8  # m/s or rad/s; residual round-off of a speed that is zero
 SHORT = 1e-7  # s; the last step ends this long before two sites coincide, as a string has no direction there
-STEADY = 1e-4  # of the largest load; forces are constant between events
+STEADY = 1e-4  # fraction of the largest load; forces are constant between events
 ORDER = {kind: place for place, kind in enumerate(EVENT_KINDS)}  # rank of simultaneous events
 
 

@@ -11,9 +11,9 @@ from sim2reason.simulation.engines.mujoco.compiled_model import TINY, CompiledMo
 from sim2reason.simulation.engines.mujoco.event_detection import STILL, TOUCHING, EventDetector
 
 SCALE = 1e-3  # an impact is solved at a thousandth of its velocities, so that overlaps stay small
-FAINT = 1e-7  # of the largest load: smaller tensions count as zero
+FAINT = 1e-7  # fraction of the largest load: smaller tensions count as zero
 START = 1e-4  # m/s²; a contact at rest begins to slide only above this acceleration
-LIFT = 1e-6  # of the largest speed: a face separates, or a contact slides after an impact, only above this
+LIFT = 1e-6  # fraction of the largest speed: a face separates, or a contact slides after an impact, only above this
 
 
 class SoftMode(NamedTuple):

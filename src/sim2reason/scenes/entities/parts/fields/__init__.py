@@ -69,7 +69,7 @@ class MagneticField(ForceField):
 
 
 class Medium(ForceField):
-    """What resists the motion."""
+    """Base class of media that resist the motion."""
 
     called = "the medium"
 

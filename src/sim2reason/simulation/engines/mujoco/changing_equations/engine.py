@@ -18,11 +18,11 @@ from sim2reason.simulation.engines.mujoco.changing_equations.settling import BEG
 from sim2reason.simulation.engines.mujoco.extrapolation import extrapolated
 from sim2reason.simulation.trace import Event, Trace
 
-PIECES = 24  # of the duration: the longest step, so that its ends determine the motion between,
+PIECES = 24  # fraction of the duration: the longest step, so that its ends determine the motion between,
 STRIDE, FEWEST = 5 / 3, 10  # or this many intervals between samples, if there are at least so many steps
-FIRST = 0.05  # of such a piece: the first step after a separation, so that the gap is open before it can close
+FIRST = 0.05  # fraction of such a piece: the first step after a separation, so that the gap is open before it can close
 STEPS = 4000  # largest number of steps
-SHORTEST = 1e-11  # of the duration: the shortest step
+SHORTEST = 1e-11  # fraction of the duration: the shortest step
 SEGMENTS = 500  # largest number of motion segments
 
 

@@ -10,9 +10,9 @@ from sim2reason.base.record import record
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.budget import Budget
 
-FLAT = 1e-10  # of the largest: a smaller singular value counts as zero
+FLAT = 1e-10  # fraction of the largest: a smaller singular value counts as zero
 MOST = 3000  # largest number of vertices to examine
-SLIP = 1e-9  # of the largest margin: violation of a condition tolerated at a vertex
+SLIP = 1e-9  # fraction of the largest margin: violation of a condition tolerated at a vertex
 
 
 def braced(solution: Array, free: Array, conditions: Array) -> Array:
@@ -43,11 +43,11 @@ def braced(solution: Array, free: Array, conditions: Array) -> Array:
     return np.asarray(solution + best[:-1] @ ways, dtype=np.float64)
 
 
-SINGULAR = 1e-10  # of the largest singular value
+SINGULAR = 1e-10  # fraction of the largest singular value
 TRY, FORCE = 4_000, 1_500  # operations for one contact mode, and for each row and face in addition
 NEVER = 1e9  # friction coefficient that represents a contact that never slips
 LARGE = 1e9  # larger accelerations or forces belong to an unsupported massless part
-FAINT = 1e-8  # of a force pattern without effect: smaller entries count as zero
+FAINT = 1e-8  # fraction of a force pattern without effect: smaller entries count as zero
 HUGE = 1e12  # limit on the growth of a solution by division by a small pivot
 
 

@@ -151,12 +151,12 @@ class ActingModel:
 TOLERANCE = 2e-8  # relative tolerance of a step
 DRIFT = 1e-5  # a margin may start this far below zero, as steps and impacts leave it
 ARMED = 1e-7  # value that a margin must exceed after starting at or below zero before it can be due
-TIE = 1e-7  # of the duration: events closer than this are simultaneous
+TIE = 1e-7  # fraction of the duration: events closer than this are simultaneous
 SOUGHT = 12  # attempts to end a step at an event
-CLOSE = 1e-13  # of the duration: accuracy of an event time
-WIDTH = 1e-4  # of a step: width of the finite difference for a slope
-NARROW = 1e-7  # of a step: width of the finite difference that decides the side of a minimum
-FORESEEN = 1e-5  # of a step: accuracy of the predicted end
+CLOSE = 1e-13  # fraction of the duration: accuracy of an event time
+WIDTH = 1e-4  # fraction of a step: width of the finite difference for a slope
+NARROW = 1e-7  # fraction of a step: width of the finite difference that decides the side of a minimum
+FORESEEN = 1e-5  # fraction of a step: accuracy of the predicted end
 HALVINGS = 30  # attempts to find a point of a step with a negative distance
 
 

@@ -13,9 +13,9 @@ import numpy as np
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.engines.mujoco.changing_equations.forces import NEVER, Found, HardInstant, Way, solved
 
-SMALL = 1e-9  # of the largest load or acceleration: smaller values count as zero
+SMALL = 1e-9  # fraction of the largest load or acceleration: smaller values count as zero
 MOST = 4000  # largest number of contact modes to try
-MENDS = 30  # of which the first result from correcting violated conditions
+MENDS = 30  # largest number of modes tried by correcting violated conditions
 
 Change = tuple[str, int, int]
 """A change of a contact mode: ``rows``, ``faces`` or ``rubbing``, the index, and the new state."""

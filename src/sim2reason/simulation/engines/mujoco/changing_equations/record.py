@@ -24,7 +24,7 @@ TOGETHER = 1e-6  # m; the same if the ends may pass each other, as the sign is u
 MEET = 1e-9  # m; ends of a line that are closer coincide
 
 
-ALIKE = 0.1  # of a step: neighbouring steps of a more different size are left out of the interpolation
+ALIKE = 0.1  # fraction of a step: neighbouring steps of a more different size are left out of the interpolation
 
 
 @dataclass(frozen=True)
@@ -161,7 +161,7 @@ class HardRecord:
 
     @property
     def last(self) -> Knot:
-        """The latest knot."""
+        """Return the latest knot."""
         return self.stretches[-1].knots[-1]
 
     def start(self, way: Way, found: Found, situation: Situation) -> None:
