@@ -102,5 +102,5 @@ class LongPrism(Shape):
 
     @property
     def look(self) -> Axial:
-        """Return the drawn shape: a polygon: it is seen from its end."""
+        """Return the drawn shape: a polygon, seen from its end."""
         return Axial(self.radius, sides=self.sides)

@@ -88,7 +88,7 @@ class Roller(Shape):
 
     @property
     def look(self) -> Axial:
-        """Return the drawn shape: a disc: it is seen from its end."""
+        """Return the drawn shape: a disc, seen from its end."""
         return Axial(self.radius)
 
 
@@ -211,7 +211,7 @@ class Pipe(Shape):
 
     @property
     def look(self) -> Axial:
-        """Return the drawn shape: a ring: it is seen from its end."""
+        """Return the drawn shape: a ring, seen from its end."""
         return Axial(self.radius, wall=THIN * self.radius)
 
 
@@ -250,7 +250,7 @@ class ThickPipe(Shape):
 
     @property
     def look(self) -> Axial:
-        """Return the drawn shape: a broad ring: it is seen from its end."""
+        """Return the drawn shape: a broad ring, seen from its end."""
         return Axial(self.radius, wall=self.radius - self.bore)
 
 

@@ -28,7 +28,7 @@ MagneticAtFirst = Annotated[
 
 
 class ForceField(Part):
-    """The base. A field that is of no base below may have one of its own: an entity then needs a place for it."""
+    """Base class of fields. A kind outside the classes below may have a base of its own, with a field of an entity."""
 
     @classmethod
     def variants(cls) -> tuple[type[Model], ...]:
