@@ -1,15 +1,15 @@
-"""Names for authors of entities: numbers and their meanings, sentences, ports, forces, and the frame to build in.
+"""Public names for authors of entities: quantities, sentences, ports, forces, and the frame for building mechanisms.
 
 An entity is a subclass of `Entity` that is registered with `entity`; `Part` is the base of what entities share.
 
 - Numbers are fields with an annotated type, which has a unit, a symbol, limits, and a range for random draws: `Mass`,
   `Angle`, `Coordinate`, `Length`, `FreeLength`, `NaturalLength`, `Height`, `Speed`, `Velocity`, `AngularVelocity`,
-  `Force`, `Friction`, `StaticFriction`, `Stiffness`, `Strain`, `Damping` and `Restitution`. Types of one's own are
-  made of a `Measure`, a `Range` and limits such as `LEAST`, the least positive number.
-- Marks on fields say how they are drawn: `Chance`, `Count`, `Hidden`, `Member`, `Sized`, `Usually`.
+  `Force`, `Friction`, `StaticFriction`, `Stiffness`, `Strain`, `Damping` and `Restitution`. New types consist of a
+  `Measure`, a `Range` and limits such as `LEAST`, the least positive number.
+- Marks on fields determine how they are drawn: `Chance`, `Count`, `Hidden`, `Member`, `Sized`, `Usually`.
 - Sentences are templates: `either`, `among`, `starting`, `placing`, `defining_axes`, `assuming`, `each`, `lines_of`;
   a `Word` depends on a value.
-- Ports are the places where connections join: `End`, `StringEnd`, `Pass`, `Chain`, `Mount`, `Base`.
+- Ports are the points where connections join: `End`, `StringEnd`, `Pass`, `Chain`, `Mount`, `Base`.
 - Forces follow a `Law`: `Push` and `Magnetic`, with a `Profile`, and `Resistance`.
 - `Frame` has the methods that build a mechanism. A `Vector` has three components in the axes of the room: `X` points to
   the right, `Y` away from the reader, `Z` up; `ZERO`, `add`, `scale`, `inner`, `outer` and `axial_inertia` help with

@@ -1,1 +1,1 @@
-"""From a mechanism to a certified trace: two engines, events, truncation, certificate."""
+"""Simulation of mechanisms: two independent engines, traces with events, and the certificate of their agreement."""

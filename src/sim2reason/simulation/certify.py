@@ -1,8 +1,8 @@
-"""How well two engines agree on a motion, channel by channel, and until when.
+"""Comparison of two engines on one motion: the largest difference of each channel and the time until which they agree.
 
-Their events are matched first: same kind and subjects, at times that differ by at most τ = 1e-4 of the
-duration, in the same order unless they concern different things. Then the samples are compared, but for
-those near an event, where a small error in its time is a large one in a speed.
+Events are matched first: same kind and subjects, at times that differ by at most τ = 1e-4 of the
+duration, in the same order unless they concern different subjects. Then the samples are compared, except
+those near an event, where a small error of the event time causes a large error of a speed.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -23,10 +23,10 @@ from sim2reason.simulation.trace import ENDINGS, ENGINES, Event, Trace
 
 Flags = NDArray[np.bool_]
 
-SMOOTH = 1e-4  # the relative difference that is allowed where nothing changes mode
-EVENTFUL = 1e-3  # and where something does
-NEAR = 1e-4  # of the duration: events that differ by less in time are simultaneous
-CHANGES = frozenset({"collision", "taut", "slack", "stick", "slip"})  # for all others the strict limit holds
+SMOOTH = 1e-4  # relative tolerance of a motion without events that change the forces
+EVENTFUL = 1e-3  # relative tolerance of a motion with such events
+NEAR = 1e-4  # events are simultaneous if their times differ by less than this fraction of the duration
+CHANGES = frozenset({"collision", "taut", "slack", "stick", "slip"})  # events that permit the tolerance EVENTFUL
 RECORDED, WITNESS = "exact", "mujoco"
 
 
@@ -34,7 +34,7 @@ class Match(NamedTuple):
     """An event that both engines recorded."""
 
     event: Event
-    apart: float  # s, the witness's time less the recorded one
+    apart: float  # s, the time of the witness minus the recorded time
 
 
 @dataclass(frozen=True)
@@ -96,7 +96,7 @@ class Certificate:
         return self.others()
 
     def trusted(self, channel: Channel) -> float:
-        """Return the time up to which both engines agree on a channel.
+        """Return the time until which both engines agree on a channel.
 
         Args:
             channel: The channel.
@@ -156,7 +156,7 @@ def certify(mechanism: Mechanism, times: Array) -> tuple[Trace, Certificate]:
 
 
 def witnessed(recorded: Trace) -> tuple[Trace, Certificate]:
-    """Compare a recorded motion with the motion of the second engine, as `certify` does."""
+    """Simulate a recorded motion with the second engine and compare the two, as `certify` does."""
     try:
         witness = ENGINES[WITNESS](recorded.mechanism, recorded.state.times)
     except (SimulationError, UnsupportedError) as error:
@@ -167,7 +167,7 @@ def witnessed(recorded: Trace) -> tuple[Trace, Certificate]:
 
 
 def truncated(trace: Trace, certificate: Certificate) -> Trace:
-    """Return the trace, valid no longer than its certificate."""
+    """Return the trace, truncated at the time until which its certificate is valid."""
     if certificate.stable_until >= trace.stable_until:
         return trace
     return replace(trace, stable_until=certificate.stable_until, cut="certificate")
@@ -204,12 +204,12 @@ def _told(event: Event) -> str:
 
 
 def _telling(events: Iterable[Event]) -> list[Event]:
-    """Return those that must be matched."""
+    """Return the events that both engines must record: those that change the motion."""
     return [event for event in events if event.changes_motion]
 
 
 def _match(recorded: list[Event], witness: list[Event], near: float) -> tuple[tuple[Match, ...], Event | None]:
-    """Return the events that both saw, and the first that only one of them saw, or saw out of order."""
+    """Return the events that both engines recorded, and the first event without a counterpart in the same order."""
     left, matched, single = list(witness), list[Match](), list[Event]()
     for event in recorded:
         found = next((other for other in left if _same(event, other, near)), None)
@@ -249,10 +249,10 @@ def _inside(times: Array, intervals: Iterable[tuple[float, float]]) -> Flags:
 
 
 class _Table:
-    """The relative differences of all channels at the samples that count."""
+    """The relative differences of all channels between two motions, at the compared samples."""
 
     def __init__(self, recorded: State, witness: State, living: Flags, heard: Flags, tolerance: float) -> None:
-        """`living` samples set the scales, `heard` ones are compared."""
+        """Select the samples that set the scales (`living`) and those that are compared (`heard`)."""
         self.tolerance = tolerance
         self.agreement: dict[Channel, float] = {}
         self.until: dict[Channel, float] = {}
@@ -263,7 +263,7 @@ class _Table:
         self._compare_all(drawn=True)
 
     def others(self) -> Mapping[Channel, float]:
-        """Compare the channels that recipes do not draw; return the time from which each is not to be trusted, s."""
+        """Compare the channels that recipes do not draw; return the time of the first disagreement of each, s."""
         known, self.until = self.until, {}
         self._compare_all(drawn=False)
         found, self.until = self.until, known
@@ -284,7 +284,7 @@ class _Table:
             self._compare(quantity, members, heaviest)
 
     def _compare(self, quantity: Quantity, members: list[tuple[Channel, Array]], heaviest: float) -> None:
-        """All subjects' columns side by side, (subjects, samples, components)."""
+        """Compare one quantity for all its subjects at once, in arrays (subjects, samples, components)."""
         values = np.array([columns for _, columns in members])
         n = values.shape[1] // 2
         ours, theirs = values[:, :n], values[:, n:]
@@ -303,20 +303,20 @@ class _Table:
                 self._over[channel] = over
 
     def _first(self, bad: Flags) -> float:
-        """Return the last good time before the first bad one; the end if all are good."""
+        """Return the last compared time before the first sample marked as bad, s; the end time if none is."""
         if not bad.any():
             return self._end
         first = int(bad.argmax())
         return float(self._times[self._heard][first - 1]) if first else 0.0
 
     def first_over(self) -> tuple[float, Channel | None]:
-        """Return when the first channel leaves the tolerance, and which."""
+        """Return the earliest time at which a channel exceeds the tolerance, s, and that channel."""
         channel = min(self._over, key=lambda channel: self._over[channel], default=None)
         return (self._end, None) if channel is None else (self._over[channel], channel)
 
 
 def _joined(a: State, b: State) -> State:
-    """Return both motions as one, one after the other, so that each quantity is evaluated once."""
+    """Return two motions concatenated in time, so that each quantity is evaluated only once."""
 
     def forces(x: Mapping[str, Array], y: Mapping[str, Array]) -> dict[str, Array]:
         return {name: np.concatenate([x[name], y[name]]) for name in x}

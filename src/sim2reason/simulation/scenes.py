@@ -1,4 +1,4 @@
-"""Simulating and certifying scenes rather than mechanisms."""
+"""Simulation and certification of scenes."""
 
 from math import isfinite
 from warnings import warn
@@ -16,7 +16,7 @@ from sim2reason.simulation.truncate import truncate as truncated
 
 SAMPLES = 101
 BOTH = "both"
-"""In place of an engine's name: one checked by the other."""
+"""Engine name for the trace of the exact engine, checked by the other."""
 
 
 def certify(scene: SceneLike, duration: float | None = None, samples: int = SAMPLES) -> tuple[Trace, Certificate]:

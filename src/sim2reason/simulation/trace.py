@@ -1,4 +1,4 @@
-"""The record of a simulated motion, the same from every engine."""
+"""The record of a simulated motion, common to all engines."""
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
@@ -12,8 +12,8 @@ from sim2reason.base.registry import Registry
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.state import Array, State
 
-SHOWN = 10  # events that the text of a trace lists
-AT_ONCE = 1e-9  # of a time: what comes earlier than something by no more comes with it
+SHOWN = 10  # largest number of events in the text of a trace
+AT_ONCE = 1e-9  # relative: events with a smaller difference of time are simultaneous
 
 
 EVENT_KINDS: Mapping[str, str] = {
@@ -34,7 +34,7 @@ EVENT_KINDS: Mapping[str, str] = {
     "crowd": "impacts are too close together to tell apart",
     "indeterminate": "nothing holds a massless part any more",
 }
-"""What each kind of event is, in the order in which simultaneous ones are told. The last five end a motion."""
+"""Descriptions of the kinds of events, in the order of simultaneous events. The last five end a motion."""
 
 ENDINGS: Mapping[str, str] = {
     "indeterminate": "nothing holds a massless part",
@@ -45,22 +45,22 @@ ENDINGS: Mapping[str, str] = {
     "statistics": "a sample stands out",
     "certificate": "two engines part",
 }
-"""Why a motion is followed no longer, in words, by what cut it."""
+"""Phrases for the reason why a motion ends, by the value of `Trace.cut`."""
 
 
 IMPACTS = frozenset({"collision", "taut", "land"})
-"""Kinds of events at which velocities change at once, so that forces and accelerations are infinite."""
+"""Kinds of events at which velocities jump, so that forces and accelerations are infinite."""
 
 
 def in_order(times: Array) -> Array:
-    """Return instants, (n,), in ascending order without repeats; `np.unique` takes five times as long for so few."""
+    """Return instants (n,) in ascending order without repeats, faster than `np.unique` for small arrays."""
     found: Array = np.sort(times)
     return found[np.append(found[1:] != found[:-1], True)] if len(found) else found
 
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """An event of one of the `EVENT_KINDS`, at an instant; `subjects` are in the order of engines."""
+    """An event of one of the `EVENT_KINDS` at an instant; `subjects` are in the order used by the engines."""
 
     time: float  # s
     kind: str
@@ -224,29 +224,29 @@ class Trace:
 
 
 def ending(trace: Trace) -> str:
-    """Return the reason why the description of a motion ends, with the names concerned; empty if nothing ended it."""
+    """Return why a motion ends, with the names of the bodies concerned; empty if no event ended it."""
     why = ENDINGS.get(trace.cut, trace.cut)
     last = next((event for event in reversed(trace.events) if event.kind == trace.cut), None)
     return f"{why} ({', '.join(last.subjects)})" if last is not None else why
 
 
-PER_STEP, LEAST, MOST = 4, 64, 8000  # instants of a scan: in each step, at least, at most
+PER_STEP, LEAST, MOST = 4, 64, 8000  # instants of a scan: per step, at least, at most
 
 
 def _unsampled() -> State:
     raise ValueError("this trace was read from a file: it holds only its samples")
 
 
-FINEST = 1e-11  # relative: what a step of an integrator errs by, unless a caller is content with less
+FINEST = 1e-11  # relative step tolerance of an integrator, unless the caller chooses a larger one
 
 
 class Engine(Protocol):
-    """What simulates a mechanism."""
+    """A function that simulates a mechanism."""
 
     def __call__(self, mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> Trace:
         """Return the motion at `times` (m,), strictly increasing from 0, in seconds.
 
-        `tolerance` is what a step may err by, relative to the state; an engine that can't choose does its best.
+        `tolerance` is the relative tolerance of a step; an engine without this choice ignores it.
         """
         ...
 

@@ -1,4 +1,4 @@
-"""Traces in files: one Parquet table, a row for each sample, a column for each component of a channel."""
+"""Storage of traces in Parquet files: a row for each sample, a column for each component of a channel."""
 
 import json
 from collections.abc import Mapping
@@ -22,11 +22,11 @@ ENDING = ".parquet"
 
 @dataclass(frozen=True)
 class Recording:
-    """What a file keeps of a trace: samples and events, but not the mechanism."""
+    """The samples and events of a trace read from a file, without the mechanism."""
 
     engine: str
     times: Array  # s, (n,)
-    channels: Mapping[Channel, Array]  # (n,), or (n, 3) of a vector
+    channels: Mapping[Channel, Array]  # (n,), or (n, 3) for a vector
     units: Mapping[str, str]  # by quantity
     events: tuple[Event, ...]
     stable_until: float  # s
@@ -34,13 +34,13 @@ class Recording:
 
 
 def check(path: Path) -> None:
-    """Whether a file that people name may hold a trace: UnsupportedError for another ending than Parquet's."""
+    """Raise UnsupportedError unless the name of a trace file ends in ``.parquet``."""
     if path.suffix.lower() != ENDING:
         raise UnsupportedError(f"{path}: a trace is written as Parquet; end the name in {ENDING}")
 
 
 def write_trace(trace: Trace, path: str | Path) -> None:
-    """Write all channels of a trace as Parquet; OSError if the file can't be written.
+    """Write all channels of a trace as Parquet; raise OSError if the file cannot be written.
 
     A field's metadata name its subject, quantity, unit and axis; the schema's hold the engine and the events.
     """
@@ -69,7 +69,7 @@ def write_trace(trace: Trace, path: str | Path) -> None:
 
 
 def read_trace(path: str | Path) -> Recording:
-    """Return what `write_trace` wrote.
+    """Return the recording in a file of `write_trace`.
 
     Raises:
         SceneError: the file is not a trace.
@@ -111,5 +111,5 @@ def _field(arrow: Any, name: str, meaning: dict[str, str]) -> Any:  # noqa: ANN4
 
 
 def _arrow() -> tuple[Any, Any]:
-    """PyArrow, loaded when it is needed: it takes longer than all the rest."""
+    """Import PyArrow on demand, since it is slow to import."""
     return import_module("pyarrow"), import_module("pyarrow.parquet")

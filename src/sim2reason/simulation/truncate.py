@@ -1,13 +1,13 @@
-"""Where a trace stops being usable, as its samples tell.
+"""Truncation of a trace by statistics of its samples.
 
-By physics an engine ends a trace itself, and by certificate two engines do (`certify`). Here is the third
-way, by statistics, for a trace of one engine alone: a sample that stands out from its window tells of a
-transition. On whole traces that finds every collision; between the events that an engine reports nothing
-should be left to find, and what is found there is an alarm.
+An engine ends a trace by physics, and two engines by certificate (`certify`). This module is the third method, by
+statistics, for a trace of one engine alone: an outlier in a window of samples indicates a transition. On whole traces
+it finds every collision; between the events that an engine reports it should find nothing, and any finding there is
+an alarm.
 
-A smooth motion has samples that stand out, too, as at the perihelion of a long orbit. What is smooth becomes
-straight when it is looked at closely, and a transition does not: where an engine can give its motion at other
-times, that is asked before a sample counts.
+A smooth motion has outliers, too, as at the perihelion of a long orbit. A smooth function becomes straight under
+magnification, and a transition does not: if an engine can evaluate its motion at other times, this is tested before a
+sample counts.
 """
 
 from collections.abc import Callable, Iterator
@@ -29,14 +29,14 @@ Flags = NDArray[np.bool_]
 WINDOW = 50  # samples; with w samples no |aᵢ − µ| exceeds √w·σ, so under 26 none reaches 5σ
 DEVIATIONS = 5.0
 BENDS = 8.0  # times the local median of the third difference
-FLOOR = 1e-6  # of a column's largest value, or of 1: less is rounding
-PIECES, ZOOMS = 32, 2  # into how many pieces an interval is cut, and how often three of these are again
-STRAIGHT = 1.0 / 33.0  # as three of 32 pieces are looked at, a parabola's bend shrinks to 1/114, a corner's to 1/11
-ROUNDING = 1e-9  # of the largest value there: a smaller bend is rounding
+FLOOR = 1e-6  # fraction of a column's largest value, or of 1: smaller values are round-off
+PIECES, ZOOMS = 32, 2  # pieces of an interval, and how often three of them are subdivided again
+STRAIGHT = 1.0 / 33.0  # in three of 32 pieces a parabola's bend shrinks to 1/114, a corner's to 1/11
+ROUNDING = 1e-9  # fraction of the largest value there: a smaller bend is round-off
 
 
 class Alarm(NamedTuple):
-    """A sample that nothing which the engine reports explains."""
+    """A sample with a transition that no reported event explains."""
 
     time: float  # s
     column: str  # such as "acceleration of block.slide"
@@ -44,20 +44,20 @@ class Alarm(NamedTuple):
 
 
 class Column(NamedTuple):
-    """What jumps at a transition: an acceleration, a force, or a velocity whose change is judged."""
+    """A value that jumps at a transition: an acceleration, a force, or the rate of change of a velocity."""
 
     name: str
     read: Callable[[State], Array]
-    change: bool = False  # it is the change from one sample to the next that is judged
+    change: bool = False  # whether the difference between successive samples is judged
 
     def values(self, state: State, chosen: Flags) -> Array:
-        """Return what is judged, at chosen samples; a change stands at the later of its two."""
+        """Return the judged values at chosen samples; a difference is assigned to the later of its two samples."""
         read = self.read(state)[chosen]
         return np.diff(read) / np.diff(state.times[chosen]) if self.change else read
 
 
 def truncate(trace: Trace, window: int = WINDOW) -> Trace:
-    """Return the trace, to be used no longer than the paper's rule finds nothing in it.
+    """Return the trace, truncated at the first outlier by the rule of the paper.
 
     The rule: over a window, max |aᵢ − µ| ≥ 5σ. It is applied to every acceleration and force in
     the trace, events or no events. Raises ValueError for a window in which it can't fire.
@@ -77,7 +77,7 @@ def truncate(trace: Trace, window: int = WINDOW) -> Trace:
 
 
 def alarms(trace: Trace, window: int = WINDOW) -> tuple[Alarm, ...]:
-    """Unmodelled transitions: what both rules find between one event of the trace and the next, in order of time."""
+    """Return the unmodelled transitions that both rules find between the events of a trace, in order of time."""
     found: list[Alarm] = []
     times = trace.state.times
     for start, stop in _segments(trace):
@@ -101,7 +101,7 @@ def _segments(trace: Trace) -> list[tuple[float, float]]:
 
 
 def _columns(mechanism: Mechanism, state: State) -> Iterator[Column]:
-    """Yield what jumps at a transition: accelerations, also as v changes, and all forces known."""
+    """Yield the values that jump at a transition: accelerations, changes of velocities, and all known forces."""
     for number, coordinate in enumerate(mechanism.coordinates):
         yield Column(f"acceleration of {coordinate.name}", partial(_acceleration, number))
         yield Column(f"change of velocity of {coordinate.name}", partial(_velocity, number), change=True)
@@ -135,7 +135,7 @@ def _friction(name: str, state: State) -> Array:
 def _first(
     trace: Trace, column: Column, chosen: Flags, flags: list[tuple[int, int]], span: tuple[float, float]
 ) -> tuple[int, float] | None:
-    """Return the first flagged sample that is no smooth curve's, by its number in the trace and its time, s."""
+    """Return the index and the time, s, of the first flagged sample that is not on a smooth curve; else None."""
     numbers = np.flatnonzero(chosen)[1 if column.change else 0 :]
     times = trace.state.times
     for first, last in flags:
@@ -146,7 +146,7 @@ def _first(
 
 
 def _smooth(trace: Trace, column: Column, low: float, high: float) -> bool:
-    """Return whether a column becomes straight between two instants as one looks closer at where it bends the most."""
+    """Return whether a column becomes straight under magnification where it bends most between two instants."""
     bends: list[float] = []
     for _ in range(ZOOMS + 1):
         times = np.linspace(low, high, PIECES + 1)
@@ -169,7 +169,7 @@ def _floor(values: Array) -> float:
 
 
 def _deviations(values: Array, window: int) -> list[tuple[int, int]]:
-    """The samples that stand out in the first window that has any, then in later ones, each as a stretch of itself."""
+    """Return the outliers of the first window that has any, then of later ones, each as an interval of one sample."""
     if window < WINDOW:
         raise ValueError(f"a window of {window} samples is too short; take at least {WINDOW}")
     if len(values) < window or not np.isfinite(values).all():
@@ -182,7 +182,7 @@ def _deviations(values: Array, window: int) -> list[tuple[int, int]]:
 
 
 def _bends(values: Array, window: int) -> list[tuple[int, int]]:
-    """Return the stretches of four samples whose third difference is far above its median nearby, in order."""
+    """Return the intervals of four samples whose third difference is far above its local median, in order."""
     if len(values) < 4 or not np.isfinite(values).all():
         return []
     third = np.abs(np.diff(values, 3))

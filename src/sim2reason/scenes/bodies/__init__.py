@@ -1,4 +1,4 @@
-"""The bodies that entities are made of, in modules by theme."""
+"""The bodies of entities, in modules by theme."""
 
 from sim2reason.scenes.dsl.body import BODIES
 

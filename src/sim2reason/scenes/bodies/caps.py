@@ -40,12 +40,12 @@ class SphericalCap(Shape):
 
     @property
     def solid(self) -> Solid:
-        """About the centre of its flat face."""
+        """Return the uniform figure, with the centre of the flat face as origin."""
         return segment(self.radius, self.height)
 
     @property
     def look(self) -> Capped:
-        """A segment of a circle."""
+        """Return the drawn shape: a segment of a circle."""
         return Capped(self.radius, self.height)
 
 
@@ -79,12 +79,12 @@ class Bowl(Shape):
 
     @property
     def solid(self) -> Solid:
-        """One cap less another, about the centre of its opening."""
+        """Return the difference of two caps, with the centre of the opening as origin."""
         return segment(self.radius, self.height) - segment(self.radius - self.thickness, self.height - self.thickness)
 
     @property
     def look(self) -> Capped:
-        """A curved wall."""
+        """Return the drawn shape: a curved wall."""
         return Capped(self.radius, self.height, self.thickness)
 
 
@@ -108,10 +108,10 @@ class Hemisphere(Shape):
 
     @property
     def solid(self) -> Solid:
-        """About the centre of its flat face."""
+        """Return the uniform figure, with the centre of the flat face as origin."""
         return segment(self.radius, self.radius)
 
     @property
     def look(self) -> Capped:
-        """Half a disc."""
+        """Return the drawn shape: half a disc."""
         return Capped(self.radius, self.radius)

@@ -45,28 +45,28 @@ class ChargedBead(Body):
 
     @property
     def signed_charge(self) -> float:
-        """The charge with its sign, uC."""
+        """Return the charge with its sign, uC."""
         return self.charge if self.sign == "positive" else -self.charge
 
     @property
     def look(self) -> Small:
-        """A filled circle with the sign of the charge."""
+        """Return the drawn shape: a filled circle with the sign of the charge."""
         return Small("ball", "+" if self.sign == "positive" else "\N{MINUS SIGN}")
 
 
 class BeadStart(Body):
-    """How a bead begins to move at the origin; told as what it does there."""
+    """Base class of the initial motions of a bead at the origin, described by what the bead does there."""
 
     letters = ""
 
     @property
     def velocity(self) -> tuple[float, float]:
-        """Along x and y, m/s."""
+        """Return the velocity components along x and y, m/s."""
         raise NotImplementedError
 
     @property
     def look(self) -> Unseen:
-        """Its velocity is drawn at the bead."""
+        """Return the drawn shape: its velocity is drawn at the bead."""
         return Unseen()
 
 
@@ -97,7 +97,7 @@ class Launched(BeadStart):
 
     @property
     def velocity(self) -> tuple[float, float]:
-        """Along x and y, m/s."""
+        """Return the velocity components along x and y, m/s."""
         return self.speed * cos(radians(self.angle)), self.speed * sin(radians(self.angle))
 
 
@@ -113,7 +113,7 @@ class Released(BeadStart):
 
     @property
     def velocity(self) -> tuple[float, float]:
-        """Zero."""
+        """Return the zero velocity, m/s."""
         return 0.0, 0.0
 
 
@@ -124,28 +124,28 @@ Far = Range(1.2, 2.5)
 
 
 class FieldRegion(Body):
-    """A part of the plane, outside which no field acts."""
+    """A region of the plane, outside which no field acts."""
 
     letters = ""
 
     @property
     def shape(self) -> Region:
-        """The region about the origin of the plane."""
+        """Return the region about the origin of the plane."""
         raise NotImplementedError
 
     @property
     def middle(self) -> tuple[float, float]:
-        """A point in it at which one might aim, m."""
+        """Return a point in the region at which a bead may be aimed, m."""
         raise NotImplementedError
 
     @property
     def width(self) -> float:
-        """Of the longest straight way through it, m; infinite for what has no end."""
+        """Return the length of the longest straight path through the region, m; infinite for an unbounded region."""
         raise NotImplementedError
 
     @property
     def look(self) -> Unseen:
-        """It is shaded where the force acts."""
+        """Return the empty drawn shape, as the force draws the region."""
         return Unseen()
 
 
@@ -160,17 +160,17 @@ class HalfPlane(FieldRegion):
 
     @property
     def shape(self) -> Region:
-        """It begins at the edge."""
+        """Return the half-space that begins at the edge."""
         return HalfSpace(X, self.edge)
 
     @property
     def middle(self) -> tuple[float, float]:
-        """A little beyond the edge."""
+        """Return a point a little beyond the edge, m."""
         return self.edge + 0.5, 0.0
 
     @property
     def width(self) -> float:
-        """It has no end."""
+        """Return infinity, as the region is unbounded."""
         return inf
 
 
@@ -193,17 +193,17 @@ class Strip(FieldRegion):
 
     @property
     def shape(self) -> Region:
-        """Unlimited along y."""
+        """Return the slab, unbounded along y."""
         return BoxRegion(((X, self.low, self.high),))
 
     @property
     def middle(self) -> tuple[float, float]:
-        """Half-way between the lines."""
+        """Return the point half-way between the lines, m."""
         return 0.5 * (self.low + self.high), 0.0
 
     @property
     def width(self) -> float:
-        """Square to the lines: one that goes along them is no way through."""
+        """Return the distance of the lines, m; paths along them do not cross the strip."""
         return self.high - self.low
 
 
@@ -231,17 +231,17 @@ class Rectangle(FieldRegion):
 
     @property
     def shape(self) -> Region:
-        """Limited on all four sides."""
+        """Return the box with four sides."""
         return BoxRegion(((X, self.left, self.right), (Y, self.bottom, self.top)))
 
     @property
     def middle(self) -> tuple[float, float]:
-        """Its centre."""
+        """Return the centre, m."""
         return 0.5 * (self.left + self.right), 0.5 * (self.bottom + self.top)
 
     @property
     def width(self) -> float:
-        """Its diagonal."""
+        """Return the diagonal, m."""
         return hypot(self.right - self.left, self.top - self.bottom)
 
 
@@ -262,15 +262,15 @@ class CircularRegion(FieldRegion):
 
     @property
     def shape(self) -> Region:
-        """Its axis points out of the plane."""
+        """Return the cylinder whose axis is perpendicular to the plane."""
         return DiscRegion((self.x, self.y, 0.0), self.radius)
 
     @property
     def middle(self) -> tuple[float, float]:
-        """Its centre, if it is not the origin."""
+        """Return the centre if it is not the origin, else a point of the border, m."""
         return (self.x, self.y) if hypot(self.x, self.y) else (self.radius, 0.0)
 
     @property
     def width(self) -> float:
-        """Its diameter."""
+        """Return the diameter, m."""
         return 2.0 * self.radius

@@ -53,21 +53,21 @@ class BoredCylinder(Shape):
 
     @property
     def solid(self) -> Solid:
-        """A disc less the hole: its length does not change how it turns about its axis."""
+        """Return a disc without the hole, since the length has no effect on rotation about the axis."""
         return (disc(self.radius) - disc(self.hole).moved((self.offset, 0.0, 0.0))).turned(self.seen)
 
     @property
     def plainer(self) -> Mapping[Overlooked, Solid]:
-        """A disc without the hole."""
+        """Return the simplified figures: a disc without the hole."""
         return {"hole": disc(self.radius).turned(self.seen)}
 
     @property
     def look(self) -> Axial:
-        """A disc with its hole."""
+        """Return the drawn shape: a disc with its hole."""
         return Axial(self.radius, hole=self.hole, offset=self.offset)
 
     def reach(self, way: Vector) -> float:
-        """To its surface."""
+        """Return the distance to the surface along a unit vector, m."""
         return self.radius * hypot(way[0], way[2])
 
 
@@ -99,17 +99,17 @@ class SphereWithHole(Shape):
 
     @property
     def solid(self) -> Solid:
-        """The ball less the hole, about the ball's centre."""
+        """Return the ball without the hole, with the ball's centre as origin."""
         return ball(self.radius) - ball(self.hole).moved((0.0, 0.0, self.offset))
 
     @property
     def plainer(self) -> Mapping[Overlooked, Solid]:
-        """A ball without the hole."""
+        """Return the simplified figures: a ball without the hole."""
         return {"hole": ball(self.radius)}
 
     @property
     def look(self) -> Spherical:
-        """A disc with its hole, as if cut open."""
+        """Return the drawn shape: a disc with its hole, as if cut open."""
         return Spherical(self.radius, hole=self.hole, offset=self.offset)
 
 
@@ -146,17 +146,17 @@ class HollowSphereWithHole(Shape):
 
     @property
     def solid(self) -> Solid:
-        """The wall less what the ball cuts out of it, about the sphere's centre."""
+        """Return the wall without the opening, with the sphere's centre as origin."""
         inner = self.radius - self.thickness
         cut = lens(self.radius, self.hole, self.offset) - lens(inner, self.hole, self.offset)
         return ball(self.radius) - ball(inner) - cut
 
     @property
     def plainer(self) -> Mapping[Overlooked, Solid]:
-        """A hollow sphere without the opening."""
+        """Return the simplified figures: a hollow sphere without the opening."""
         return {"hole": ball(self.radius) - ball(self.radius - self.thickness)}
 
     @property
     def look(self) -> Spherical:
-        """A ring with its opening, as if cut open."""
+        """Return the drawn shape: a ring with its opening, as if cut open."""
         return Spherical(self.radius, wall=self.thickness, hole=self.hole, offset=self.offset)

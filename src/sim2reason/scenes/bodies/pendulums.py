@@ -21,7 +21,7 @@ class Arm(Body):
 
     @property
     def look(self) -> Slender:
-        """A bar."""
+        """Return the drawn shape: a bar."""
         return Slender("rod")
 
 
@@ -40,13 +40,13 @@ class Ball(Body):
     listed = "{letter} ({mass})"
 
     def suits(self, noun: str, bodies: Mapping[str, Body]) -> bool:
-        """Return whether it is light enough for a bead, if it is to be called so."""
+        """Return whether the ball is light enough for the noun *bead*; True for other nouns."""
         del bodies
         return noun != "bead" or self.mass <= HEAVIEST_BEAD
 
     @property
     def look(self) -> Small:
-        """A filled circle."""
+        """Return the drawn shape: a filled circle."""
         return Small("ball")
 
 
@@ -68,16 +68,16 @@ class FixedBall(Shape):
 
     @property
     def solid(self) -> Solid:
-        """A point."""
+        """Return the figure of a point."""
         return point()
 
     @property
     def look(self) -> Small:
-        """A filled circle."""
+        """Return the drawn shape: a filled circle."""
         return Small("ball")
 
     def reach(self, way: Vector) -> float:
-        """Nowhere."""
+        """Return zero, the extent of a point, m."""
         del way
         return 0.0
 
@@ -107,22 +107,22 @@ class Bar(Shape):
 
     @property
     def solid(self) -> Solid:
-        """About its centre."""
+        """Return the uniform figure, with the centre as origin."""
         return box(self.width, self.thickness, self.length)
 
     @property
     def plainer(self) -> Mapping[Overlooked, Solid]:
-        """A thin rod."""
+        """Return the simplified figures: a thin rod."""
         return {"section": rod(self.length)}
 
     @property
     def look(self) -> Rectangular:
-        """A rectangle."""
+        """Return the drawn shape: a rectangle."""
         return Rectangular(self.width, self.thickness, self.length)
 
 
 class Hanger(Body):
-    """Something light of a stated length between a fixed point and a bob."""
+    """Base class of light suspensions of a stated length between a fixed point and a bob."""
 
     length: Length
 
@@ -139,7 +139,7 @@ class Cord(Hanger):
 
     @property
     def look(self) -> Slender:
-        """A thin line."""
+        """Return the drawn shape: a thin line."""
         return Slender("string")
 
 
@@ -153,7 +153,7 @@ class LightRod(Hanger):
 
     @property
     def look(self) -> Slender:
-        """A bar."""
+        """Return the drawn shape: a bar."""
         return Slender("rod")
 
 
@@ -176,10 +176,10 @@ class UniformRod(Shape):
 
     @property
     def solid(self) -> Solid:
-        """About its centre."""
+        """Return the uniform figure, with the centre as origin."""
         return rod(self.length)
 
     @property
     def look(self) -> Axial:
-        """A thick line."""
+        """Return the drawn shape: a thick line."""
         return Axial(0.0, self.length)

@@ -54,7 +54,7 @@ class Plane(Body):
 
     @property
     def look(self) -> FixedPlane:
-        """A hatched line, or a slope."""
+        """Return the drawn shape: a hatched line, or a slope."""
         return FixedPlane(self.angle)
 
 
@@ -75,7 +75,7 @@ class Box(Body):
 
     @property
     def look(self) -> BigBox:
-        """A rectangle below and between what it carries."""
+        """Return the drawn shape: a rectangle below and between the bodies on it."""
         return BigBox()
 
 
@@ -100,7 +100,7 @@ class Incline(Body):
 
     @property
     def look(self) -> FixedPlane:
-        """A hatched line, or a slope."""
+        """Return the drawn shape: a hatched line, or a slope."""
         return FixedPlane(self.angle)
 
 
@@ -129,17 +129,17 @@ class Track(Body):
 
     @property
     def look(self) -> FixedPlane:
-        """A hatched line, or a slope."""
+        """Return the drawn shape: a hatched line, or a slope."""
         return FixedPlane(self.angle)
 
     @property
     def along(self) -> Vector:
-        """The unit vector to the right, or up the slope."""
+        """Return the unit vector to the right, or up the slope."""
         slope = radians(self.angle)
         return (cos(slope), 0.0, sin(slope))
 
     def carry(self, frame: Frame, speed: float = 0.0, stated: tuple[str, float] | None = None) -> Frame:
-        """Let a body move along the track, m/s, which may be an axis of the text: see `Frame.slide`."""
+        """Let a body move along the track with an initial speed, m/s; for `stated` see `Frame.slide`."""
         return frame.slide(self.along, speed, name="right", stated=stated)
 
 
@@ -154,7 +154,7 @@ class RoughTrack(Track):
     words = {**Track.words, "surface": Smoothness}
 
     def carry(self, frame: Frame, speed: float = 0.0, stated: tuple[str, float] | None = None) -> Frame:
-        """Let a body move along the track, m/s; how it presses on the track matters only if that is rough."""
+        """Let a body move along the track with an initial speed, m/s; friction needs the normal direction."""
         if self.friction == 0.0:
             return super().carry(frame, speed, stated)
         slope = radians(self.angle)
@@ -189,7 +189,7 @@ class Wedge(Body):
 
     @property
     def look(self) -> MovingSlope:
-        """A triangle."""
+        """Return the drawn shape: a triangle."""
         return MovingSlope()
 
 
@@ -218,5 +218,5 @@ class Prism(Body):
 
     @property
     def look(self) -> MovingSlope:
-        """A triangle."""
+        """Return the drawn shape: a triangle."""
         return MovingSlope()

@@ -44,22 +44,22 @@ class PolygonalPrism(Shape):
 
     @property
     def sides(self) -> int:
-        """Of its cross-section."""
+        """Return the number of sides of the cross-section."""
         return SIDES[self.shape]
 
     @property
     def solid(self) -> Solid:
-        """About its centre."""
+        """Return the uniform figure, with the centre as origin."""
         return prism(self.sides, self.radius, self.height)
 
     @property
     def plainer(self) -> Mapping[Overlooked, Solid]:
-        """A thin rod, and a thin plate."""
+        """Return the simplified figures: a thin rod, and a thin plate."""
         return {"section": rod(self.height), "height": polygon(self.sides, self.radius)}
 
     @property
     def look(self) -> Axial:
-        """A rectangle from the side, a polygon from its end."""
+        """Return the drawn shape: a rectangle from the side, a polygon from its end."""
         return Axial(self.radius, self.height, sides=self.sides)
 
 
@@ -82,25 +82,25 @@ class LongPrism(Shape):
 
     @property
     def sides(self) -> int:
-        """Of its cross-section."""
+        """Return the number of sides of the cross-section."""
         return SIDES[self.shape]
 
     @property
     def apothem(self) -> float:
-        """From its axis to the middle of a face, m."""
+        """Return the distance from the axis to the middle of a face, m."""
         return self.radius * cos(pi / self.sides)
 
     def edges(self, along: Vector, up: Vector) -> list[Vector]:
-        """From its axis to its edges as it lies on a face, the one in front first and the last behind it, m."""
+        """Return the vectors from the axis to the edges of a prism on a face, m, the front edge first."""
         turns = [(2 * number + 1) * pi / self.sides for number in range(self.sides)]
         return [add(scale(self.radius * sin(turn), along), scale(-self.radius * cos(turn), up)) for turn in turns]
 
     @property
     def solid(self) -> Solid:
-        """As its cross-section: its length does not change how it turns about its axis."""
+        """Return the cross-section, since the length has no effect on rotation about the axis."""
         return polygon(self.sides, self.radius)
 
     @property
     def look(self) -> Axial:
-        """A polygon: it is seen from its end."""
+        """Return the drawn shape: a polygon, seen from its end."""
         return Axial(self.radius, sides=self.sides)

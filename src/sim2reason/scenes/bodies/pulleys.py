@@ -12,7 +12,7 @@ PulleyMass = Annotated[float, Ge(0), Le(1e6), Measure("pulley mass", "kg", "M", 
 
 
 class Pulley(Body):
-    """What all pulleys share. With mass one is a uniform disc, whose radius does not matter."""
+    """Base class of pulleys; one with mass is a uniform disc, whose radius has no effect."""
 
     mass: PulleyMass = 0.0
 
@@ -33,7 +33,7 @@ class FixedPulley(Pulley):
 
     @property
     def look(self) -> PulleyWheel:
-        """A wheel on a bracket."""
+        """Return the drawn shape: a wheel on a bracket."""
         return PulleyWheel(fixed=True, solid=self.mass > 0.0)
 
 
@@ -47,7 +47,7 @@ class MovablePulley(Pulley):
 
     @property
     def look(self) -> PulleyWheel:
-        """A wheel."""
+        """Return the drawn shape: a wheel."""
         return PulleyWheel(fixed=False, solid=self.mass > 0.0)
 
 

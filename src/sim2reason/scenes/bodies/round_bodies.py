@@ -58,17 +58,17 @@ class Cylinder(Shape):
 
     @property
     def solid(self) -> Solid:
-        """About its centre."""
+        """Return the uniform figure, with the centre as origin."""
         return cylinder(self.radius, self.height)
 
     @property
     def plainer(self) -> Mapping[Overlooked, Solid]:
-        """A thin rod, and a thin disc."""
+        """Return the simplified figures: a thin rod, and a thin disc."""
         return {"section": rod(self.height), "height": disc(self.radius)}
 
     @property
     def look(self) -> Axial:
-        """A rectangle from the side, a disc from its end."""
+        """Return the drawn shape: a rectangle from the side, a disc from its end."""
         return Axial(self.radius, self.height)
 
 
@@ -83,12 +83,12 @@ class Roller(Shape):
 
     @property
     def solid(self) -> Solid:
-        """As a disc: its length does not change how it turns about its axis."""
+        """Return a disc, since the length has no effect on rotation about the axis."""
         return disc(self.radius)
 
     @property
     def look(self) -> Axial:
-        """A disc: it is seen from its end."""
+        """Return the drawn shape: a disc, seen from its end."""
         return Axial(self.radius)
 
 
@@ -103,12 +103,12 @@ class Disc(Shape):
 
     @property
     def solid(self) -> Solid:
-        """About its centre."""
+        """Return the uniform figure, with the centre as origin."""
         return disc(self.radius)
 
     @property
     def look(self) -> Axial:
-        """A disc, or a thick line from the side."""
+        """Return the drawn shape: a disc, or a thick line from the side."""
         return Axial(self.radius)
 
 
@@ -123,12 +123,12 @@ class SphericalShell(Shape):
 
     @property
     def solid(self) -> Solid:
-        """About its centre."""
+        """Return the uniform figure, with the centre as origin."""
         return sphere_surface(self.radius)
 
     @property
     def look(self) -> Spherical:
-        """A ring, as if cut open."""
+        """Return the drawn shape: a ring, as if cut open."""
         return Spherical(self.radius, wall=THIN * self.radius)
 
 
@@ -158,7 +158,7 @@ class HollowSphere(Shape):
 
     @property
     def solid(self) -> Solid:
-        """One ball less another."""
+        """Return the difference of two balls."""
         return ball(self.radius) - ball(self.radius - self.thickness)
 
     @property
@@ -168,7 +168,7 @@ class HollowSphere(Shape):
 
     @property
     def look(self) -> Spherical:
-        """A broad ring, as if cut open."""
+        """Return the drawn shape: a broad ring, as if cut open."""
         return Spherical(self.radius, wall=self.thickness)
 
 
@@ -183,12 +183,12 @@ class Hoop(Shape):
 
     @property
     def solid(self) -> Solid:
-        """About its centre."""
+        """Return the uniform figure, with the centre as origin."""
         return ring(self.radius)
 
     @property
     def look(self) -> Axial:
-        """A ring."""
+        """Return the drawn shape: a ring."""
         return Axial(self.radius, wall=THIN * self.radius)
 
 
@@ -206,12 +206,12 @@ class Pipe(Shape):
 
     @property
     def solid(self) -> Solid:
-        """As a ring: its length does not change how it turns about its axis."""
+        """Return a ring, since the length has no effect on rotation about the axis."""
         return ring(self.radius)
 
     @property
     def look(self) -> Axial:
-        """A ring: it is seen from its end."""
+        """Return the drawn shape: a ring, seen from its end."""
         return Axial(self.radius, wall=THIN * self.radius)
 
 
@@ -240,17 +240,17 @@ class ThickPipe(Shape):
 
     @property
     def solid(self) -> Solid:
-        """A disc less its middle: its length does not change how it turns about its axis."""
+        """Return the difference of two discs, since the length has no effect on rotation about the axis."""
         return disc(self.radius) - disc(self.bore)
 
     @property
     def plainer(self) -> Mapping[Overlooked, Solid]:
-        """A thin pipe."""
+        """Return the simplified figures: a thin pipe."""
         return {"wall": ring(self.radius)}
 
     @property
     def look(self) -> Axial:
-        """A broad ring: it is seen from its end."""
+        """Return the drawn shape: a broad ring, seen from its end."""
         return Axial(self.radius, wall=self.radius - self.bore)
 
 
@@ -266,10 +266,10 @@ class Sphere(Shape):
 
     @property
     def solid(self) -> Solid:
-        """About its centre."""
+        """Return the uniform figure, with the centre as origin."""
         return ball(self.radius)
 
     @property
     def look(self) -> Spherical:
-        """A disc."""
+        """Return the drawn shape: a disc."""
         return Spherical(self.radius)

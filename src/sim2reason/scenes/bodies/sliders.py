@@ -22,7 +22,7 @@ class Block(Body):
 
     @property
     def look(self) -> Small:
-        """A rectangle."""
+        """Return the drawn shape: a rectangle."""
         return Small("block")
 
 
@@ -40,7 +40,7 @@ class Carriage(Body):
 
     @property
     def look(self) -> Small:
-        """A box on wheels."""
+        """Return the drawn shape: a box on wheels."""
         return Small("cart")
 
 
@@ -58,7 +58,7 @@ class Cart(Body):
 
     @property
     def look(self) -> Small:
-        """A cart."""
+        """Return the drawn shape: a cart."""
         return Small("cart")
 
 
@@ -78,7 +78,7 @@ class Glider(Body):
 
     @property
     def look(self) -> Small:
-        """A block."""
+        """Return the drawn shape: a block."""
         return Small("block")
 
 
@@ -90,7 +90,7 @@ class SlidingBall(Glider):
 
     @property
     def look(self) -> Small:
-        """A circle as high as a block."""
+        """Return the drawn shape: a circle as high as a block."""
         return Small("sphere")
 
 
@@ -121,7 +121,7 @@ class Puck(Body):
 
     @property
     def look(self) -> Small:
-        """A circle."""
+        """Return the drawn shape: a circle."""
         return Small("puck")
 
 
@@ -145,7 +145,7 @@ class Table(Body):
 
     @property
     def look(self) -> Tabletop:
-        """A sheet seen from above."""
+        """Return the drawn shape: a sheet seen from above."""
         return Tabletop(self.angle)
 
 
@@ -162,5 +162,5 @@ class Slab(Body):
 
     @property
     def look(self) -> Small:
-        """A flat rectangle, longer than what it carries."""
+        """Return the drawn shape: a flat rectangle, longer than the bodies on it."""
         return Small("slab")

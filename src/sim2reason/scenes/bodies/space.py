@@ -49,12 +49,12 @@ class Rocket(Body):
 
     @property
     def look(self) -> Small:
-        """A rocket."""
+        """Return the drawn shape: a rocket."""
         return Small("rocket")
 
 
 class StartingPlace(Body):
-    """Where a rocket is before its engine starts; told as what the rocket does there."""
+    """Base class of the places of a rocket before launch, described by what the rocket does there."""
 
     letters = ""
 
@@ -86,14 +86,14 @@ class AirlessPlanet(StartingPlace):
 
     @classmethod
     def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
-        """Give it the gravity of a ball of rock, or of ice and rock."""
+        """Return a surface gravity that matches the mean density of rock, or of ice and rock."""
         density = rng.uniform(ROCK.low, ROCK.high)
         gravity = density * 4.0 / 3.0 * pi * GRAVITATION * KILO * drawn["radius"]
         return {"gravity": as_said(cls, "gravity", gravity)}
 
     @property
     def look(self) -> Globe:
-        """A wide curve."""
+        """Return the drawn shape: a wide curve."""
         return Globe()
 
 
@@ -141,7 +141,7 @@ class Star(Body):
 
     @property
     def look(self) -> Small:
-        """A bright disc."""
+        """Return the drawn shape: a bright disc."""
         return Small("star")
 
 
@@ -162,7 +162,7 @@ class Planet(Body):
     symbols = {"vx": "v_x", "vy": "v_y"}
 
     def suits(self, noun: str, bodies: Mapping[str, Body]) -> bool:
-        """Return whether its orbit about the star is as long as that of a comet, if it is to be called so."""
+        """Return whether the orbit is eccentric enough for the noun *comet*; True for other nouns."""
         star = next((held for held in bodies.values() if isinstance(held, Star)), None)
         if noun != "comet" or star is None:
             return True
@@ -172,7 +172,7 @@ class Planet(Body):
 
     @property
     def look(self) -> Small:
-        """A small filled circle."""
+        """Return the drawn shape: a small filled circle."""
         return Small("planet")
 
 
@@ -195,5 +195,5 @@ class HeavyPlanet(Body):
 
     @property
     def look(self) -> Small:
-        """A small filled circle."""
+        """Return the drawn shape: a small filled circle."""
         return Small("planet")

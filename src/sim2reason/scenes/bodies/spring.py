@@ -31,7 +31,7 @@ class Spring(Body):
 
     @property
     def look(self) -> Slender:
-        """A coil."""
+        """Return the drawn shape: a coil."""
         return Slender("spring")
 
 
@@ -50,7 +50,7 @@ class Coil(Body):
 
     @property
     def look(self) -> Slender:
-        """A coil."""
+        """Return the drawn shape: a coil."""
         return Slender("spring")
 
 
@@ -83,5 +83,5 @@ class Bumper(Body):
 
     @property
     def look(self) -> Slender:
-        """A coil."""
+        """Return the drawn shape: a coil."""
         return Slender("spring")

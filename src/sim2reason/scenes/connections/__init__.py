@@ -1,4 +1,4 @@
-"""What joins the ports of entities, one file each."""
+"""Connections between the ports of entities, one file each."""
 
 from sim2reason.scenes.dsl.connection import CONNECTIONS
 

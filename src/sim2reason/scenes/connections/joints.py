@@ -12,7 +12,7 @@ from sim2reason.scenes.dsl.template import Wordings, either
 
 
 class Carried(TwoEnded):
-    """What joins the base of one entity to a mount of another, which carries it from then on."""
+    """Base class of connections that mount the base of one entity on a mount of another, its carrier."""
 
     joins: ClassVar[type[Port]] = SitePort
     look: ClassVar[Look] = "pivot"
@@ -20,11 +20,11 @@ class Carried(TwoEnded):
 
     @classmethod
     def admits(cls, port: Port, index: int, last: int) -> bool:
-        """First what carries, then what is carried."""
+        """Return whether a port fits: a mount at the carrier's end, a base at the other end."""
         return isinstance(port, Base if index == last else Mount)
 
     def build(self, joint: Joint, builder: Builder) -> None:
-        """Nothing: what is carried was built on what carries it."""
+        """Build nothing, since the carried entity was built on its carrier."""
         del joint, builder
 
 
@@ -75,5 +75,5 @@ class Rod(Straight):
     )
 
     def build(self, joint: Joint, builder: Builder) -> None:
-        """From site to site; it pulls or pushes."""
+        """Add a rigid line from site to site, which pulls or pushes."""
         builder.add_line(joint.name, self.ends(joint, builder), Rigid())

@@ -50,11 +50,11 @@ class SpringConnection(Straight):
 
     @property
     def spacing(self) -> float:
-        """Its free length is the shorter one of that at the start and its natural length, so that both are positive."""
+        """Return the free length at the start, m: the smaller of initial and natural length, both being positive."""
         return self.free + (self.by if self.strained == "stretched" else 0.0)
 
     def build(self, joint: Joint, builder: Builder) -> None:
-        """From site to site; its natural length follows from how far they are apart."""
+        """Add a spring from site to site; its natural length follows from their distance and the strain."""
         ends = self.ends(joint, builder)
         strain = self.by if self.strained == "stretched" else -self.by
         length = dist(*map(builder.position, ends)) - strain

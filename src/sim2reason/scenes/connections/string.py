@@ -1,4 +1,4 @@
-"""A light inextensible string: one path, one constraint, one sentence, however many pulleys it passes."""
+"""The light inextensible string: one path, one constraint and one sentence, with any number of pulleys."""
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
@@ -38,19 +38,19 @@ HANGING = (
     "{tied} hangs on {string} that {verbs}.",
     "{tied} hangs from {string}, which {verbs}.",
 )
-"""Of what hangs: how the string leaves there need not be said."""
+"""Openings for a string tied to a hanging body, without a clause for its direction there."""
 CALLED = (
     ("a light string",),
     ("another light string", "a second light string"),
     *((f"a {which} light string",) for which in ("third", "fourth", "fifth", "sixth", "seventh", "eighth")),
 )
-"""What a string is called as the first one, the second and so on."""
+"""Phrases for the first, second, … string of a text."""
 AGAIN = ("one more light string", "a further light string")
-"""What it is called where nobody counts."""
+"""Phrases for a further string that is not numbered."""
 _ONE = re.compile(r"light string(?!s)|(?:another|one more) (?:joins|runs|leads)")
 OVER, UNDER, ROUND = "passes over ", "passes under ", "passes round "
 WAYS = (OVER, UNDER, ROUND)
-LEVEL = 1e-9  # of a pull's direction: less is rounding
+LEVEL = 1e-9  # smaller vertical components of a direction are round-off
 ONWARD = {
     (OVER, OVER): "then over ",
     (ROUND, OVER): "goes straight up and over ",
@@ -58,7 +58,7 @@ ONWARD = {
     (OVER, ROUND): "goes straight down and round ",
     (OVER, UNDER): "goes straight down and under ",
 }
-"""How it goes on from one pulley to the next: above the one that turns it hangs another, on which it pulls straight."""
+"""Phrases for the next pulley after another: the string continues straight to a pulley above."""
 
 
 @connection
@@ -76,16 +76,16 @@ class String(Connection):
 
     @property
     def spacing(self) -> float:
-        """Return how long it is between neighbours at the start, m."""
+        """Return the initial length between neighbouring stops, m."""
         return self.free
 
     def brings(self, joint: Joint, builder: Builder) -> dict[str, Body]:
-        """Return the light fixed pulleys that it brings, in the order of travel."""
+        """Return the light fixed pulleys that belong to the string, in the order of travel."""
         count = sum(turn is not None for turn in turns(joint.stops, builder))
         return {f"{joint.name}.pulley{number}": FixedPulley() for number in range(1, count + 1)}
 
     def build(self, joint: Joint, builder: Builder) -> None:
-        """Lead it through the sites of its stops and over its own pulleys; a hand at its end pulls it."""
+        """Build the line through the sites of its stops and over its own pulleys; a hand at its end pulls it."""
         name, stops = joint.name, joint.stops
         frame = builder.room(name)
         path: list[str] = []
@@ -110,11 +110,11 @@ class String(Connection):
     def parse(
         cls, name: str, place: int, state: S, matcher: SentenceMatcher[S], routes: Routes[S]
     ) -> Iterator[ParsedSentence[S]]:
-        """Read its sentence back: the opening, what it is tied to, then verb by verb."""
+        """Yield all parses of the sentence: the opening, the tied body, then verb by verb."""
         return SentenceParser(name, matcher, routes).sentence(place, state)
 
     def describe(self, joint: Joint, writer: SentenceWriter) -> str:
-        """Return its one sentence: what it is tied to, what it passes, where it ends."""
+        """Return the sentence of the string: its tied body, the pulleys that it passes, and its end."""
         name = joint.name
         stops = max(joint.stops, reversed_path(joint.stops), key=lambda path: _worth(path[0]))
         first = stops[0]
@@ -137,14 +137,14 @@ class String(Connection):
 
 
 def clause(port: SitePort, way: str = OVER) -> str:
-    """Return the verb phrase with which a string comes to a port; `way` is how it goes by a pulley fixed there."""
+    """Return the verb phrase for a string arriving at a port; `way` is the preposition for a fixed pulley."""
     if isinstance(port, Pass):
         return way + port.passes.removeprefix(OVER) if port.passes.startswith(OVER) else port.passes
     return port.arrives if isinstance(port, StringEnd) else ""
 
 
 def passed_by(stops: Sequence[Stop], index: int, builder: Builder) -> str:
-    """Return how a string goes by a pulley of a stop: where its sides may point anywhere, its neighbours tell."""
+    """Return the preposition for a pulley of a stop; derived from the neighbours if its sides have no direction."""
     if not isinstance(stops[index].port, Pass) or any(builder.faces[site] for site in stops[index].sites):
         return OVER
     turn = travelled_sites(stops[index - 1], first=index == 1)[-1], travelled_sites(stops[index + 1], first=False)[0]
@@ -152,14 +152,14 @@ def passed_by(stops: Sequence[Stop], index: int, builder: Builder) -> str:
 
 
 def string_names(sentences: Iterable[str]) -> tuple[str, ...]:
-    """What a string may be called after some sentences, by how many they tell; those of a row are not counted."""
+    """Return the phrases for the next string after the given sentences; strings in a row of blocks do not count."""
     text = " ".join(sentences)
     count = len(_ONE.findall(text))
     return AGAIN if "light strings" in text or count >= len(CALLED) else CALLED[count]
 
 
 def _worth(stop: Stop) -> int:
-    """Return how well a sentence begins here: best at what moves, not at all at a hand."""
+    """Return a rank of a stop as the beginning of a sentence: highest for a movable body, zero for a hand."""
     port = stop.port
     return bool(port.tied) + bool(port.leaves) if isinstance(port, StringEnd) else 0
 
@@ -170,14 +170,14 @@ def travelled_sites(stop: Stop, *, first: bool) -> tuple[str, ...]:
 
 
 def reversed_path(stops: Sequence[Stop]) -> tuple[Stop, ...]:
-    """Return the same path from its other end."""
+    """Return the same path, travelled from its other end."""
     return tuple(
         Stop(s.owner, s.port, s.flipped if isinstance(s.port, StringEnd) else not s.flipped) for s in reversed(stops)
     )
 
 
 def turns(stops: Sequence[Stop], builder: Builder) -> list[tuple[str, str] | None]:
-    """For each gap between stops the two sites on its sides if a fixed pulley must turn the string there."""
+    """Return, for each gap between stops, the two adjacent sites if a fixed pulley must redirect the string there."""
     found: list[tuple[str, str] | None] = []
     for index, (one, other) in enumerate(pairwise(stops)):
         leaves = travelled_sites(one, first=index == 0)[-1]
@@ -188,10 +188,10 @@ def turns(stops: Sequence[Stop], builder: Builder) -> list[tuple[str, str] | Non
 
 
 def winding(turn: tuple[str, str], builder: Builder) -> str:
-    """A pulley lies on the side to which the string bends: below a string that goes over it, above one that goes under.
+    """Return the preposition for a fixed pulley: over, under or round, according to the bend of the string.
 
-    It goes over where it comes up to the pulley on a side and down to it on none, whatever the angles are: the word
-    tells nothing of them. Where it comes up and goes on up, or stays level, it goes round.
+    The string passes over if it rises to the pulley on a side and on none descends to it, whatever the angles are: the
+    preposition does not reveal them. If it rises and continues upward, or stays horizontal, it passes round.
     """
     rises = [(builder.faces[site] or ZERO)[2] for site in turn]
     over, under = any(rise > LEVEL for rise in rises), any(rise < -LEVEL for rise in rises)
@@ -199,14 +199,14 @@ def winding(turn: tuple[str, str], builder: Builder) -> str:
 
 
 def joined(verbs: list[str]) -> str:
-    """V, V and V; a repeated verb becomes *then*, and a way that the next verb tells whole is not told twice."""
+    """Return verb phrases as one list *V, V and V*; a repeated verb becomes *then*."""
     verbs = verbs[1:] if len(verbs) > 1 and verbs[1].startswith(verbs[0]) else verbs
     said = [verbs[0], *(after(before, verb) for before, verb in pairwise(verbs))]
     return said[0] if len(said) == 1 else ", ".join(said[:-1]) + " and " + said[-1]
 
 
 def after(before: str, verb: str) -> str:
-    """Return a verb phrase as it is said after another one."""
+    """Return a verb phrase in the form used after another one."""
     for (one, other), onward in ONWARD.items():
         if before.startswith(one) and verb.startswith(other):
             return onward + verb.removeprefix(other)
@@ -214,15 +214,15 @@ def after(before: str, verb: str) -> str:
 
 
 class SentenceParser(Generic[S]):
-    """Follows one sentence of a string through all that it can mean."""
+    """Parser of one sentence of a string that follows all its possible meanings."""
 
     def __init__(self, name: str, matcher: SentenceMatcher[S], routes: Routes[S]) -> None:
-        """`routes` knows where the string may begin and go on."""
+        """Store the name of the connection and the `routes`, the ports where the string may begin or continue."""
         self._name, self._matcher, self._routes = name, matcher, routes
         self._text = self._end = ""
 
     def sentence(self, place: int, state: S) -> Iterator[ParsedSentence[S]]:
-        """Yield all readings of the piece at `place`."""
+        """Yield all readings of the sentence at index `place`."""
         if place >= len(self._matcher.pieces):
             return
         self._text = self._matcher.pieces[place]
@@ -236,7 +236,7 @@ class SentenceParser(Generic[S]):
                         yield told
 
     def _opened(self, opening: str, state: S, *, hangs: bool) -> Iterator[ParsedSentence[S]]:
-        """Yield all readings with one opening, at ends on which something hangs or at others."""
+        """Yield all readings with one opening, for ends with a hanging body or for other ends."""
         start, rest = opening.split("{tied}")
         between, self._end = rest.split("{verbs}")
         at = self._matcher.literal(self._text, 0, start)
@@ -244,7 +244,7 @@ class SentenceParser(Generic[S]):
             yield from self._tied(at, between, state, hangs=hangs)
 
     def _tied(self, at: int, between: str, state: S, *, hangs: bool) -> Iterator[ParsedSentence[S]]:
-        """Yield what it is tied to, and how it leaves there."""
+        """Yield the readings of the tied body and of the direction in which the string leaves it."""
         for leg in self._routes.legs(String, state, ()):
             stop = leg.stops[0]
             if not isinstance(stop.port, StringEnd) or not stop.port.tied or stop.port.hangs is not hangs:
@@ -261,7 +261,7 @@ class SentenceParser(Generic[S]):
     def _on(
         self, at: int, leg: Leg[S], links: tuple[Link, ...], owned: tuple[str, ...], before: str
     ) -> Iterator[ParsedSentence[S]]:
-        """Yield the verbs from `at` on: the other stops of this leg, then of the legs to come."""
+        """Yield the readings of the verbs from `at` on: the other stops of this leg, then of the following legs."""
         if leg.stops:
             yield from self._next(at, leg, links, owned, before)
         elif not leg.last:
@@ -273,7 +273,7 @@ class SentenceParser(Generic[S]):
     def _next(
         self, at: int, leg: Leg[S], links: tuple[Link, ...], owned: tuple[str, ...], before: str
     ) -> Iterator[ParsedSentence[S]]:
-        """Yield the next stop, perhaps behind a pulley that the string brings."""
+        """Yield the readings of the next stop, perhaps after a pulley that belongs to the string."""
         stop, rest = leg.stops[0], leg.stops[1:]
         final = leg.last and not rest
         for verb in dict.fromkeys(clause(stop.port, way) for way in WAYS):
@@ -289,7 +289,7 @@ class SentenceParser(Generic[S]):
                 yield from self._next(end, replace(leg, state=then), links, (*owned, address), passed)
 
     def _verb(self, at: int, verb: str, before: str, state: S, owner: str, *, final: bool) -> Iterator[tuple[int, S]]:
-        """Yield one verb phrase with what joins it to the one before."""
+        """Yield the readings of one verb phrase with its conjunction."""
         said, comma = (after(before, verb), " and " if final else ", ") if before else (verb, "")
         begin = self._matcher.literal(self._text, at, comma)
         if begin is None:

@@ -1,1 +1,1 @@
-"""The language of scenes: measures, words, bodies, entities, ports, and the mechanism they build."""
+"""The scene language: measures, words, bodies, entities, ports, and the mechanism that they build."""

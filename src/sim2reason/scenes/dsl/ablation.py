@@ -1,4 +1,4 @@
-"""Changed mechanisms: parts held, left out or simplified; and which coordinates can move."""
+"""Modified mechanisms with parts fixed, removed or simplified; and the coordinates that can move."""
 
 from collections.abc import Callable, Iterable
 from dataclasses import replace
@@ -12,13 +12,13 @@ from sim2reason.scenes.dsl.frames import BodyFrame, Frames, start
 from sim2reason.scenes.dsl.mechanism import NO_INERTIA, ZERO, Face, Inextensible, Line, Mechanism, Rigid, RigidBody
 from sim2reason.scenes.dsl.vectors import Point
 
-NEARLY_NOTHING = 1e-6  # of a mass: what is left of a body that is left out, so that no equation becomes singular
+NEARLY_NOTHING = 1e-6  # fraction of a mass: mass of a removed body, so that no equation becomes singular
 
 
 def held(mechanism: Mechanism, name: str) -> Mechanism:
-    """A body held where it is on what carries it; a wheel that it turned, or that it is, holds strings fast with it.
+    """Return the mechanism with one body fixed to its carrier; a fixed wheel also fixes its string.
 
-    What a scene has `glued` was never let move; only of a pulley that is something else: one that is glued is smooth.
+    A body that is `glued` in a scene never has coordinates, except a glued pulley, which becomes a smooth peg.
     """
     gone = {coordinate.name for coordinate in mechanism.body[name].coordinates}
     body = replace(mechanism.body[name], coordinates=())
@@ -33,7 +33,7 @@ def held(mechanism: Mechanism, name: str) -> Mechanism:
 
 
 def left_out(mechanism: Mechanism, name: str) -> Mechanism:
-    """Return all but without a body: it has next to no mass, meets nothing, and nothing but lines acts on it."""
+    """Return the mechanism without one body: nearly massless, without collisions or forces except those of lines."""
     body = mechanism.body[name]
     light = replace(
         body, mass=NEARLY_NOTHING * body.mass, inertia=tuple(NEARLY_NOTHING * part for part in body.inertia)
@@ -49,20 +49,20 @@ def left_out(mechanism: Mechanism, name: str) -> Mechanism:
 
 
 def with_bodies(mechanism: Mechanism, names: Iterable[str], change: Callable[[RigidBody], RigidBody]) -> Mechanism:
-    """Return some bodies changed."""
+    """Return the mechanism with some bodies changed by a function."""
     chosen = set(names)
     bodies = tuple(change(body) if body.name in chosen else body for body in mechanism.bodies)
     return replace(mechanism, bodies=bodies)
 
 
 def with_lines(mechanism: Mechanism, names: Iterable[str], change: Callable[[Line], Line]) -> Mechanism:
-    """Return some lines changed."""
+    """Return the mechanism with some lines changed by a function."""
     chosen = set(names)
     return replace(mechanism, lines=tuple(change(line) if line.name in chosen else line for line in mechanism.lines))
 
 
 def inertialess(body: RigidBody) -> RigidBody:
-    """Return a body whose mass is all at its centre of mass."""
+    """Return the body as a point mass at its centre of mass."""
     return replace(body, inertia=NO_INERTIA)
 
 
@@ -80,12 +80,12 @@ def _without_wheels(line: Line, gone: set[str]) -> Line:
     return line if len(wheels) == len(line.wheels) else replace(line, wheels=wheels)
 
 
-SMALL = 1e-9  # of a velocity of 1 m/s or 1 rad/s
-EVEN = 1e-9  # what is vertical in a level direction
+SMALL = 1e-9  # fraction of a velocity of 1 m/s or 1 rad/s: smaller ones count as zero
+EVEN = 1e-9  # largest vertical component of a horizontal direction
 
 
 def stuck_bodies(mechanism: Mechanism) -> tuple[str, ...]:
-    """Return the bodies that have coordinates, and yet nothing lets them begin to move."""
+    """Return the bodies with coordinates that constraints keep from moving."""
     frames = start(mechanism)
     ways = motions(mechanism, frames)
     stuck: list[str] = []
@@ -98,7 +98,7 @@ def stuck_bodies(mechanism: Mechanism) -> tuple[str, ...]:
 
 
 def is_weightless(mechanism: Mechanism) -> bool:
-    """Return whether something can move that has no inertia, such as a light pulley on which nothing hangs."""
+    """Return whether some part can move without inertia, such as a light pulley without load."""
     frames = start(mechanism)
     ways = motions(mechanism, frames)
     inertia = np.zeros((len(ways), len(ways)))
@@ -118,7 +118,7 @@ def is_weightless(mechanism: Mechanism) -> bool:
 
 
 def motions(mechanism: Mechanism, frames: Frames) -> NDArray[np.float64]:
-    """Independent rates of the coordinates that keep the length of every string and rod, a row each."""
+    """Return independent rates of the coordinates that keep all string and rod lengths, (k, coordinates)."""
     size = len(mechanism.coordinates)
     rows: list[NDArray[np.float64]] = []
     for line in mechanism.lines:
@@ -138,12 +138,12 @@ def motions(mechanism: Mechanism, frames: Frames) -> NDArray[np.float64]:
 
 
 def weighs(mechanism: Mechanism) -> bool:
-    """Return whether g can matter: something presses on a face, or rises and falls as it slides or turns."""
+    """Return whether gravity affects the mechanism: a body presses on a face, or rises and falls."""
     return mechanism.gravity != ZERO and would_weigh(mechanism)
 
 
 def would_weigh(mechanism: Mechanism) -> bool:
-    """Return whether gravity would affect a mechanism, so that a text must say if there is no gravity."""
+    """Return whether gravity would affect a mechanism, so that a text must state if there is no gravity."""
     if mechanism.contacts:
         return True
     frames = start(mechanism)
@@ -151,7 +151,7 @@ def would_weigh(mechanism: Mechanism) -> bool:
 
 
 def _rises(frame: BodyFrame, center: Point) -> bool:
-    """Return whether some coordinate can move a point up or down, now or once others have turned it."""
+    """Return whether some coordinate can move a point up or down, initially or after rotation by others."""
     for step in frame.steps:
         if step.pivot is None:
             if abs(step.axis[2]) > EVEN or any(abs(hinge.axis[2]) < 1.0 - EVEN for hinge in frame.hinges):

@@ -14,7 +14,7 @@ V = TypeVar("V")
 
 
 def lookup(value: Any, path: str) -> Any:
-    """Return what stands at an address below a value; SceneError names the first step that leads nowhere."""
+    """Return the value at an address below a value; raise SceneError at the first invalid step."""
     walked: list[str] = []
     for step in path.split("."):
         walked.append(step)
@@ -26,14 +26,14 @@ def lookup(value: Any, path: str) -> Any:
 
 
 def _members(value: Any) -> dict[str, Any]:
-    """Return all that a value holds, by the next step of an address."""
+    """Return all members of a value by the next step of an address."""
     if isinstance(value, tuple):
         return {str(index): member for index, member in enumerate(value)}  # type: ignore[reportUnknownArgumentType]
     return {name: getattr(value, name) for name in type(value).model_fields} if isinstance(value, Model) else {}
 
 
 def changed(value: V, news: Mapping[str, object]) -> V:
-    """Return the same value with others at some addresses, validated once; None in a tuple takes a member out."""
+    """Return a copy with other values at some addresses, validated once; None in a tuple removes a member."""
     here, below = dict[str, object](), dict[str, dict[str, object]]()
     for path, new in news.items():
         step, _, rest = path.partition(".")
@@ -51,12 +51,12 @@ def changed(value: V, news: Mapping[str, object]) -> V:
 
 
 def used_ports(paths: Iterable[Sequence[Link]]) -> set[tuple[str, str]]:
-    """Entity and port of all links of some connections."""
+    """Return the entity and port names of all links of some connections."""
     return {(link.entity, link.port) for link in chain.from_iterable(paths)}
 
 
 def idle_fields(named: Named, used: set[tuple[str, str]]) -> Iterator[tuple[str, str]]:
-    """Yield the fields that are given though every port that needs them is open, each with one of these ports."""
+    """Yield the given fields that no connected port needs, each with one of the open ports."""
     needed: dict[str, list[str]] = {}
     for name, port in outer_ports(type(named.entity)).items():
         if port.needs:
@@ -67,7 +67,7 @@ def idle_fields(named: Named, used: set[tuple[str, str]]) -> Iterator[tuple[str,
 
 
 def vacated(entities: Iterable[Named], paths: Iterable[Sequence[Link]]) -> tuple[Named, ...]:
-    """The entities without what only open ports need: what to make a scene of once it is known what is connected."""
+    """Return the entities without fields that only open ports need, once the connections are known."""
     used = used_ports(paths)
     return tuple(_vacated(named, used) for named in entities)
 

@@ -1,4 +1,4 @@
-"""Bodies: frozen values with parameters, nouns, a series of letters and a look in drawings."""
+"""Bodies: immutable values with parameters, nouns, letters and a drawn shape."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -12,12 +12,12 @@ from sim2reason.scenes.dsl.vectors import Vector
 
 SmallKind = Literal["ball", "sphere", "block", "slab", "cart", "puck", "rocket", "star", "planet"]
 LineKind = Literal["string", "spring", "rod"]
-THIN = 0.06  # the wall of what is thin, as it is drawn, as a part of its radius
+THIN = 0.06  # fraction of the radius: drawn thickness of a thin wall
 
 
 @dataclass(frozen=True, slots=True)
 class Small:
-    """Something whose size does not matter; `mark` stands inside it, such as the sign of a charge."""
+    """The drawn shape of a small body; `mark` is a text inside it, such as the sign of a charge."""
 
     kind: SmallKind
     mark: str = ""
@@ -25,7 +25,7 @@ class Small:
 
 @dataclass(frozen=True, slots=True)
 class Spherical:
-    """A sphere; a wall thickness makes it hollow, a hole has its centre at z = `offset`."""
+    """The drawn shape of a sphere; a wall thickness makes it hollow, a hole has its centre at z = `offset`."""
 
     radius: float
     wall: float = 0.0
@@ -33,14 +33,14 @@ class Spherical:
     offset: float = 0.0
 
     def reach(self, way: Vector) -> float:
-        """Return how far it extends along a unit vector, m."""
+        """Return the extent along a unit vector, m."""
         del way
         return self.radius
 
 
 @dataclass(frozen=True, slots=True)
 class Axial:
-    """A cylinder about z, or a prism if `sides` is given; a hole is parallel to z, with its axis at x = `offset`.
+    """The drawn shape of a cylinder about z, or a prism if `sides` is given; a hole has its axis at x = `offset`.
 
     Without a height the shape is a ring or a disc, without a radius a rod. A `step` is the radius of a drum on the end.
     """
@@ -54,20 +54,20 @@ class Axial:
     step: float = 0.0
 
     def reach(self, way: Vector) -> float:
-        """Return how far it, or the cylinder about its edges, extends along a unit vector, m."""
+        """Return the extent along a unit vector, m; for a prism that of the cylinder about its edges."""
         return self.radius * hypot(way[0], way[1]) + 0.5 * self.height * abs(way[2])
 
 
 @dataclass(frozen=True, slots=True)
 class Capped:
-    """A part of a ball cut off at z = 0, with its pole at z = `height`; a wall thickness makes it a bowl."""
+    """The drawn shape of a spherical cap with its pole at z = `height`; a wall thickness makes it a bowl."""
 
     radius: float
     height: float
     wall: float = 0.0
 
     def reach(self, way: Vector) -> float:
-        """Return how far it extends along a unit vector from the centre of its flat face, m."""
+        """Return the extent along a unit vector from the centre of the flat face, m."""
         center = self.height - self.radius  # of the sphere, along z
         if center + self.radius * way[2] >= 0.0:
             return center * way[2] + self.radius
@@ -76,44 +76,44 @@ class Capped:
 
 @dataclass(frozen=True, slots=True)
 class Rectangular:
-    """A bar with its edges along its own axes."""
+    """The drawn shape of a bar with its edges along its own axes."""
 
     x: float
     y: float
     z: float
 
     def reach(self, way: Vector) -> float:
-        """Return how far it extends along a unit vector: to its farthest corner, m."""
+        """Return the extent along a unit vector, to the farthest corner, m."""
         return 0.5 * (self.x * abs(way[0]) + self.y * abs(way[1]) + self.z * abs(way[2]))
 
 
 @dataclass(frozen=True, slots=True)
 class Silhouette:
-    """A closed outline in the plane of its own x and z axes."""
+    """The drawn shape of a closed outline in the plane of its own x and z axes."""
 
     points: tuple[tuple[float, float], ...]
 
 
 @dataclass(frozen=True, slots=True)
 class FixedPlane:
-    """A plane fixed in the room, at so many degrees; it is as long as what lies on it needs."""
+    """The drawn shape of a fixed plane at an angle in degrees, as long as the bodies on it require."""
 
     angle: float
 
 
 @dataclass(frozen=True, slots=True)
 class MovingSlope:
-    """A wedge or prism; its faces are those on which something lies."""
+    """The drawn shape of a wedge or prism; its faces are those that carry bodies."""
 
 
 @dataclass(frozen=True, slots=True)
 class BigBox:
-    """A box on the floor that is large enough to carry others on its top and at its sides."""
+    """The drawn shape of a box on the floor, large enough for the bodies on its top and at its sides."""
 
 
 @dataclass(frozen=True, slots=True)
 class PulleyWheel:
-    """A pulley; a fixed one is held by a bracket, one with mass is filled."""
+    """The drawn shape of a pulley; a fixed one has a bracket, one with mass is filled."""
 
     fixed: bool
     solid: bool
@@ -121,26 +121,26 @@ class PulleyWheel:
 
 @dataclass(frozen=True, slots=True)
 class Tabletop:
-    """A table seen from above, on which bodies move; `tilt` in degrees."""
+    """The drawn shape of a table seen from above; `tilt` in degrees."""
 
     tilt: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
 class Slender:
-    """Something light between two points, drawn where the mechanism has a line or an arm."""
+    """The drawn shape of a light line or arm between two points of the mechanism."""
 
     kind: LineKind
 
 
 @dataclass(frozen=True, slots=True)
 class Globe:
-    """A planet so large that only its surface is seen, below what stands on it."""
+    """The drawn shape of a large planet, of which only the surface is visible."""
 
 
 @dataclass(frozen=True, slots=True)
 class Unseen:
-    """Nothing to be drawn at a place of its own: the region of a field, a way to start."""
+    """The drawn shape of a body that is not drawn: the region of a field, a kind of start."""
 
 
 BodyLook = (
@@ -165,43 +165,43 @@ Matter = Literal["solid", "planet"]
 
 
 class Body(Model):
-    """The base of all bodies. A subclass declares its numbers as fields and its words as class data.
+    """The base class of all bodies. A subclass declares its numbers as fields and its phrases as class data.
 
-    `lone` introduces the only one of its series, `again` one more that has no letter either, by default as *another*,
-    `named` one that has a letter, `listed` one inside a list that begins with the plural noun, `alike` all of such a
-    list at once, after their letters, where their numbers agree. All ways to introduce a body say the same numbers;
-    what they leave out, the entity's lines must say.
+    `lone` introduces the only one of its series, `again` one more without a letter, by default as *another*, `named`
+    one with a letter, `listed` one inside a list that begins with the plural noun, `alike` all of such a list at once,
+    after their letters, if their numbers agree. All introductions state the same numbers; the entity's lines must state
+    the remaining ones.
     """
 
     nouns: ClassVar[tuple[str, ...]] = ()
-    letters: ClassVar[str] = "ABCDEFGHIJKLMN"  # "": never lettered, spoken of only beside its introduction
+    letters: ClassVar[str] = "ABCDEFGHIJKLMN"  # "": never lettered, mentioned only beside its introduction
     lone: ClassVar[tuple[str, ...]] = ()
     again: ClassVar[tuple[str, ...]] = ()
     named: ClassVar[tuple[str, ...]] = ()
     listed: ClassVar[str] = ""
     alike: ClassVar[str] = ""
     words: ClassVar[dict[str, Word]] = {}
-    matter: ClassVar[Matter] = "solid"  # of which it is, which says what densities are plausible
-    symbols: ClassVar[dict[str, str]] = {}  # where a number's symbol is not that of its measure
+    matter: ClassVar[Matter] = "solid"  # the material, which determines plausible densities
+    symbols: ClassVar[dict[str, str]] = {}  # symbols of numbers that differ from those of their measures
 
     @property
     def look(self) -> BodyLook | None:
-        """Return how a drawing shows it; None where its class declares nothing, and a drawing says so."""
+        """Return the drawn shape; None if the class declares none, which the drawing reports."""
         return None
 
     def suits(self, noun: str, bodies: Mapping[str, "Body"]) -> bool:
-        """Return whether one of its nouns is apt for it among all `bodies` of a scene, by address; by default True."""
+        """Return whether a noun is apt for the body among all `bodies` of a scene, by address; by default True."""
         del noun, bodies
         return True
 
     @property
     def density(self) -> float | None:
-        """Its mean density, kg/m³; None where the text does not say how large it is."""
+        """Return the mean density, kg/m³; None if the text does not state the size."""
         return None
 
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
-        """Refuse a body whose words and numbers do not fit; TypeError says what is amiss."""
+        """Raise TypeError if the phrases of a subclass do not match its numbers."""
         if not cls.nouns:
             return
         introductions = [*cls.lone, *cls.again, *cls.named, *filter(None, (cls.listed, cls.alike))]
@@ -213,7 +213,7 @@ class Body(Model):
 
     @classmethod
     def says_in(cls, template: str) -> set[str]:
-        """The parameters that a template of this body tells, by number or by word; TypeError for an unknown name."""
+        """Return the parameters that a template states, by number or by word; raise TypeError for an unknown name."""
         told: set[str] = set()
         for slot in slots(template):
             if slot.kind == "text" or slot.path in ("letter", "noun"):
@@ -232,7 +232,7 @@ class Body(Model):
 
     @classmethod
     def introduced_words(cls) -> tuple[Word, ...]:
-        """Return the words that every introduction uses: what they can say specially need not be said again."""
+        """Return the words in every introduction, whose special values need no other statement."""
         return tuple(
             word
             for name, word in cls.words.items()
@@ -240,7 +240,7 @@ class Body(Model):
         )
 
     def told_by_word(self, parameter: str) -> bool:
-        """Return whether this body's introduction tells a number by a special word, as smooth tells µ = 0."""
+        """Return whether the introduction states a number by a special word, such as smooth for µ = 0."""
         value = getattr(self, parameter)
         return any(word.parameter == parameter and value in word.special for word in self.introduced_words())
 
@@ -250,5 +250,5 @@ BODIES: Registry[type[Body]] = Registry("bodies", package="sim2reason.scenes.bod
 
 
 def body(cls: type[B]) -> type[B]:
-    """Enter a body class under its name."""
+    """Register a body class under its name."""
     return BODIES.add(cls.__name__, cls)

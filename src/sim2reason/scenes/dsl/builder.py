@@ -1,4 +1,4 @@
-"""The verbs that entities speak; `Frame` says them, and the one `Builder` turns them into a `Mechanism`."""
+"""The methods by which entities build a mechanism: `Frame` is their interface, `Builder` collects the parts."""
 
 from collections.abc import Iterable
 from math import inf
@@ -72,17 +72,17 @@ class Frame:
         return f"<Frame of {'the room' if self.name is None else repr(self.name)} at {self.at}>"
 
     def address(self, name: str) -> str:
-        """Return the full address of a name that is made here."""
+        """Return the full address of a name that is created here."""
         return f"{self.prefix}.{name}" if self.prefix else name
 
     def part(self, name: str, at: Vector = ZERO) -> "Frame":
-        """Return the same body, shifted by `at`, with `name` before all names: the frame for a part of an entity."""
+        """Return a frame for a part of an entity: the same body, shifted by `at`, with `name` before all names."""
         return Frame(self._builder, self.address(name), self.name, add(self.at, at), self.origin)
 
     def body(
         self, name: str, mass: float = 0.0, *, at: Vector = ZERO, center: Vector = ZERO, inertia: Tensor = NO_INERTIA
     ) -> "Frame":
-        """Add a body that is carried by this one, with its frame at `at`; it is fixed until it is given a motion.
+        """Add a body carried by this one, with its frame at `at`; it is fixed until a coordinate is added.
 
         The centre of mass, `center`, and the `inertia` about it are in the axes of the room at the start.
         """
@@ -92,7 +92,7 @@ class Frame:
         return Frame(self._builder, self.prefix, address, where, self.origin)
 
     def turned(self, axes: Axes) -> "Frame":
-        """Set the directions of the axes of this body at the start; only drawings use them."""
+        """Set the initial directions of the axes of this body, for drawings only."""
         self._builder.turned[self._own()] = axes
         return self
 
@@ -104,7 +104,7 @@ class Frame:
         name: str = "slide",
         stated: tuple[str, float] | None = None,
     ) -> "Frame":
-        """Let it move along `axis`, on which it starts as `stated`; call twice, with another name, for two."""
+        """Add a coordinate along `axis`; the text may state its initial value by `stated`."""
         own, way = self._own(), unit(axis)
         self._builder.add_coordinate(Coordinate(f"{own}.{name}", own, name, "slide", way, speed, *limits, stated))
         return self
@@ -112,7 +112,7 @@ class Frame:
     def hinge(
         self, axis: Vector, speed: float = 0.0, limits: tuple[float, float] = (-inf, inf), name: str = "hinge"
     ) -> "Frame":
-        """Let it turn about `axis` through the origin of its frame; limits in radians."""
+        """Add a rotation about `axis` through the origin of the body's frame; limits in radians."""
         own = self._own()
         self._builder.add_coordinate(Coordinate(f"{own}.{name}", own, name, "hinge", unit(axis), speed, *limits))
         return self
@@ -127,7 +127,7 @@ class Frame:
         name: str = "slide",
         static: float | None = None,
     ) -> "Frame":
-        """Lay the body on its parent's face, free to slide along `along` and pressed along `normal`.
+        """Add a contact with a face of the parent on which the body can slide along `along`.
 
         Until the body slides, the face holds it by the coefficient `static`, by default equal to `friction`.
         """
@@ -146,7 +146,7 @@ class Frame:
         spin: float | None = None,
         static: float | None = None,
     ) -> "Frame":
-        """Lay a round body on its parent's face, free to slide and turn there, its axis at the origin of its frame.
+        """Add a contact of a round body with a face of its parent on which it can slide and roll.
 
         `spin`, rad/s, is positive in the sense of rolling along `along`; by default the body rolls at the start. With
         infinite `friction` it never slips; until it slips, the coefficient is `static`, by default that of `friction`.
@@ -161,10 +161,10 @@ class Frame:
     def swing(
         self, axis: Vector, normal: Vector, radius: float, *, friction: float = 0.0, speed: float = 0.0, guided: bool
     ) -> "Frame":
-        """Lay a small body on a round face about the origin of its frame, along which it turns with `speed`, rad/s.
+        """Add a contact of a small body with a round face about the origin of its frame; `speed` in rad/s.
 
-        Its centre of mass lies `radius` from there; `normal` points out of the face, where it is at the start.
-        `guided`: it can't leave, as a bead on a hoop.
+        Its centre of mass is at a distance `radius`, m, from there; `normal` points out of the face at the initial
+        position. If `guided`, the body cannot leave the face, like a bead on a hoop.
         """
         own = self._own()
         self.hinge(axis, speed)
@@ -173,18 +173,18 @@ class Frame:
         return self
 
     def site(self, name: str, at: Vector = ZERO, faces: Vector | None = None) -> "Frame":
-        """Mark a point of this body for strings; `faces` is the way in which one must leave, None for any way."""
+        """Add a point of this body for strings; `faces` is the direction in which one must leave, None for any."""
         self._builder.add_site(self.address(name), self.name, add(self.at, at), faces)
         return self
 
     def hand(self, name: str, force: float) -> "Frame":
-        """Mark a point at which a hand draws whatever string ends there with a constant force."""
+        """Add a point at which a hand pulls the string that ends there with a constant force, N."""
         self.site(name)
         self._builder.drawing[self.address(name)] = ConstantTension(force)
         return self
 
     def winch(self, name: str, speed: float) -> "Frame":
-        """Mark a point at which whatever string ends there is taken in with a constant speed, m/s, from t = 0 on."""
+        """Add a point at which a winch pulls in the string that ends there at a constant speed, m/s, from t = 0 on."""
         self.site(name)
         self._builder.drawing[self.address(name)] = Inextensible(reel=speed)
         return self
@@ -197,10 +197,10 @@ class Frame:
         radius: float = WHEEL_RADIUS,
         faces: Vector | None = None,
     ) -> Rim:
-        """Fix a pulley's axle to this body; a mass makes it a uniform disc that the string turns.
+        """Add a pulley with its axle fixed to this body; a mass makes it a uniform disc that the string rotates.
 
-        Its two rim points lie `radius` to the left and right of the axle; strings leave them towards
-        `faces`. One that is glued is a smooth peg, over which strings slide; a wheel that is held holds them, too.
+        Its two rim points are at `radius` to the left and right of the axle; strings leave them towards
+        `faces`. A glued pulley is a smooth peg, over which strings slide; a fixed wheel also fixes its string.
         """
         address, left, right = self.address(name), self.address(f"{name}.left"), self.address(f"{name}.right")
         self._builder.add_site(left, self.name, add(self.at, at, (-radius, 0.0, 0.0)), faces)
@@ -211,79 +211,80 @@ class Frame:
         return self._builder.add_pulley(address, Rim(left, right, f"{address}.hinge", radius))
 
     def string(self, name: str, *through: str | Rim, slack: float = 0.0, reel: float = 0.0) -> None:
-        """Stretch a string from end to end through sites, by address; a pulley stands for its rim, left to right.
+        """Add a string through sites by address, from end to end; a pulley stands for its rim, left to right.
 
-        It has `slack`, m, to spare at the start and is taken in at `reel`, m/s.
+        It has an initial `slack`, m, and is pulled in at `reel`, m/s.
         """
         self._builder.add_line(self.address(name), _flat(through), Inextensible(slack, reel))
 
     def pull(self, name: str, *through: str | Rim, force: float) -> None:
-        """Like `string`, but its last stop is a hand that draws it in with a constant force."""
+        """Add a string whose last stop is a hand that pulls it with a constant force, N."""
         self._builder.add_line(self.address(name), _flat(through), Inextensible(), last=ConstantTension(force))
 
     def rod(self, name: str, a: str, b: str) -> None:
-        """Join two sites by a light rod that keeps their distance."""
+        """Add a light rod that keeps the distance of two sites."""
         self._builder.add_line(self.address(name), (a, b), Rigid())
 
     def prop(self, name: str, a: str, b: str) -> None:
-        """Keep two sites from coming nearer than they are at the start."""
+        """Add a strut that prevents two sites from coming nearer than at the start."""
         self._builder.add_line(self.address(name), (a, b), Prop())
 
     def spring(
         self, name: str, *through: str | Rim, stiffness: float, length: float | None = None, damping: float = 0.0
     ) -> None:
-        """Join sites by a light spring of a natural length, m, by default that which it has at the start."""
+        """Add a light spring between sites; its natural length, m, is by default its initial length."""
         self._builder.add_spring(self.address(name), _flat(through), stiffness, length, damping)
 
     def wound(self, name: str, rim: str, end: str, across: float) -> None:
-        """Lead a string wound round the rim of this body down to the site `end`; the body turns about y by its hinge.
+        """Add a string wound round the rim of this body down to the site `end`; the body rotates about y by its hinge.
 
-        `rim` is a site of the room, `across`, m, to the right of the axle: a right-handed turn takes in a string that
-        hangs to the left. A body that is glued holds its string.
+        `rim` is a site of the room, `across`, m, to the right of the axle: a right-handed rotation takes in a string
+        that hangs to the left. A glued body holds its string.
         """
         self._builder.add_wound(self.address(name), self._own(), (rim, end), -across)
 
     def wind(self, name: str, a: "Frame", b: "Frame", radius: float, arc: float, law: Elastic) -> None:
-        """Join two bodies that turn about one axis by a light spring along their circle, right-handed from `a` to `b`.
+        """Add a light spring along the circle on which two bodies rotate, right-handed from `a` to `b`.
 
-        It is as long as the `arc` between them, m, at the start.
+        Its initial length is the `arc` between them, m.
         """
         self._builder.add_arc(self.address(name), (a.own_name, b.own_name), radius, arc, law)
 
     def buffer(self, name: str, a: str, b: str, stiffness: float, length: float) -> None:
-        """Put a light spring at a site that pushes another one away once that is nearer than its natural length, m."""
+        """Add a light spring at site `a` that repels site `b` within its natural length, m."""
         self._builder.add_line(self.address(name), (a, b), Elastic(stiffness, length, acts="pushes"))
 
     def force(self, name: str, law: Law, region: Region | None = None) -> None:
-        """Let a force act on this body at its centre of mass; law and region count places from the entity's origin."""
+        """Add a force on the centre of mass; law and region have their origin at the entity's."""
         here = None if region is None else region.moved(self.origin)
         self._builder.forces.append(Force(self.address(name), self._own(), law.moved(self.origin), here))
 
     def collide(self, a: "Frame", b: "Frame", distance: float, restitution: float, *, sticks: bool = False) -> None:
-        """Let two bodies bounce when their centres come within `distance`."""
+        """Let two bodies collide when the distance of their centres is `distance`, m."""
         self._builder.meetings.append(Meeting(a.own_name, b.own_name, distance, restitution, None, sticks))
 
     def bump(
         self, a: "Frame", b: "Frame", normal: Vector, distance: float, restitution: float, *, sticks: bool = False
     ) -> None:
-        """Let two bodies bounce when `b` is less than `distance` ahead of `a` along `normal`; `a` may be the room."""
+        """Let two bodies collide when `b` is `distance`, m, ahead of `a` along `normal`; `a` may be the room."""
         away = a.name
         if away is None:
             distance += inner(normal, a.at)
         self._builder.meetings.append(Meeting(away, b.own_name, distance, restitution, unit(normal), sticks))
 
     def attract(self, other: "Frame", constant: float) -> None:
-        """Let this body and another attract each other by Newton's law with a constant of gravitation."""
+        """Let this body and another attract each other by Newton's law with a gravitational constant."""
         self._builder.attractions.append(Attraction(self._own(), other.own_name, constant))
 
     def burn(self, rate: float, exhaust: float, until: float, direction: Vector = Z) -> None:
-        """Let it eject mass at `rate`, kg/s, with a speed relative to it, until a time, s; thrust along `direction`."""
+        """Let this body eject mass at `rate`, kg/s, with exhaust speed `exhaust`, m/s, until a time, s."""
         self._builder.burns.append(Burn(self._own(), rate, exhaust, until, unit(direction)))
 
     def stand(self, name: str, at: Vector, along: Vector, normal: Vector, on: Vector | None = None) -> None:
-        """Let a point of this body be a foot that may stand on a plane of the room, through `on` if that is given.
+        """Add a foot: a point of this body that may stand on a plane of the room.
 
-        By default the plane goes through the foot as it is now; `on` is counted from where the body's frame stands.
+        By default the plane goes through the initial foot; `on`, if given, is a point of it relative to the body's
+        frame.
         """
         self.site(name, at)
         where = self._builder.position(self.address(name)) if on is None else add(self.at, on)
@@ -291,7 +292,7 @@ class Frame:
 
     @property
     def own_name(self) -> str:
-        """Return the address of this body; ValueError for the room."""
+        """Return the address of this body; raise ValueError for the room."""
         return self._own()
 
     def _own(self) -> str:
@@ -330,12 +331,12 @@ class Builder(Collector):
     """A mechanism under construction."""
 
     def room(self, name: str = "", at: Vector = ZERO) -> Frame:
-        """Return the room, for one entity: `name` goes before all its names, `at` is where it stands."""
+        """Return the frame of the room for one entity, with its names preceded by `name` and its origin at `at`."""
         self.origins[name] = at
         return Frame(self, name, None, at)
 
     def mount(self, name: str, site: str, *, stiff: bool) -> Frame:
-        """Return the body that carries a site, for an entity that stands there; `stiff`: it can't move on it."""
+        """Return the frame of the body that carries a site, for an entity mounted there; `stiff` if it is welded."""
         carrier, where = self.carrier(site), self.position(site)
         self.origins[name] = where
         if stiff:

@@ -1,4 +1,4 @@
-"""Chances and special values for checks and examples, and connections that close the ports of an entity."""
+"""Random choices and special values for tests and examples, and scenes that connect all ports of an entity."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -14,12 +14,12 @@ from sim2reason.scenes.dsl.model import Choice, Model, draw, field_types
 from sim2reason.scenes.dsl.ports import Pass, Port
 from sim2reason.scenes.dsl.scene import Scene
 
-OPTIONAL = 0.5
-SPECIAL = 0.2  # the chance of a value that a word tells, such as smooth or horizontal
+OPTIONAL = 0.5  # probability of an optional field
+SPECIAL = 0.2  # probability of a value stated by a word, such as smooth or horizontal
 
 
 def choices(cls: type[Model], rng: np.random.Generator) -> dict[str, Choice]:
-    """Return random choices for one draw of a class and of all classes that it may hold."""
+    """Return random choices for a class and for all classes that it can contain."""
     found = chances(cls)
     for model in reachable(cls):
         for name, kind in field_types(model).items():
@@ -30,7 +30,7 @@ def choices(cls: type[Model], rng: np.random.Generator) -> dict[str, Choice]:
 
 
 def chances(cls: type[Model]) -> dict[str, Choice]:
-    """Return the chance that each optional field has a value, of a class and of all classes that it may hold."""
+    """Return the probabilities of optional fields of a class and of all classes that it can contain."""
     return {
         f"{model.__name__}.{name}?": OPTIONAL
         for model in reachable(cls)
@@ -48,7 +48,7 @@ def specials(model: type[Model], name: str) -> list[float]:
 
 
 def reachable(cls: type[Model]) -> list[type[Model]]:
-    """Return a class and all classes that it may hold, each once."""
+    """Return a class and all classes that it can contain, each once."""
     found: list[type[Model]] = []
     waiting = [cls]
     while waiting:
@@ -64,12 +64,12 @@ def _held(model: type[Model]) -> Iterator[type[Model]]:
         yield from kind.models
 
 
-USED = 0.5  # the chance that a port that may stay open is used
+USED = 0.5  # probability of a connection at an optional port
 
 
 @dataclass(frozen=True, slots=True)
 class Option:
-    """A way to close a port: a kind of connection to ports of other entities, those before it and those behind it."""
+    """A connection that can close a port, with the ports of the other entities before and behind it."""
 
     kind: type[Connection]
     before: tuple[tuple[type[Entity], str], ...]
@@ -82,12 +82,12 @@ class Option:
 
 
 def closed(named: Named, rng: np.random.Generator, *, widely: bool = False) -> Scene:
-    """Return a scene of an entity whose ports are connected: each required one, and each other one at even odds.
+    """Return a random scene of an entity with its ports connected: all required ones, others with probability ½.
 
-    `widely`: to any entity, with bodies or without.
+    `widely`: partners may be any entities, with bodies or without.
 
     Raises:
-        SceneError: there is nothing to close a port with, or what was drawn does not fit.
+        SceneError: no connection fits a port, or the draw is invalid.
     """
     made = _Scene([named])
     for name, port in outer_ports(type(named.entity)).items():
@@ -105,13 +105,13 @@ def closed(named: Named, rng: np.random.Generator, *, widely: bool = False) -> S
 
 @dataclass
 class _Scene:
-    """A scene in the making."""
+    """A scene under construction."""
 
     entities: list[Named]
     connections: list[Connection] = field(default_factory=list[Connection])
 
     def close(self, link: Link, option: Option, rng: np.random.Generator) -> None:
-        """Add the other entities of an option, and the connection."""
+        """Add a connection and its other entities."""
         before = [self._add(*partner, rng) for partner in option.before]
         behind = [self._add(*partner, rng) for partner in option.behind]
         given = {"links": (*before, link, *behind)}
@@ -124,7 +124,7 @@ class _Scene:
 
 
 def closers(cls: type[Entity], name: str, *, widely: bool = False) -> tuple[Option, ...]:
-    """Return the connections, with their partner entities, that can be made to an entity's port.
+    """Return the connections, with their partner entities, that can close an entity's port.
 
     Preferred are partners that have bodies if the entity has none (a hand needs a block to pull), and partners without
     bodies if it has some; others are returned only if there are none of these, or with `widely`.
@@ -137,7 +137,7 @@ def closers(cls: type[Entity], name: str, *, widely: bool = False) -> tuple[Opti
 
 
 def _ended(port: Port) -> Iterator[Option]:
-    """Yield the connections that end at a port: to a partner, or from it where only that fits."""
+    """Yield the connections that end at a port: towards a partner, or from it if only that fits."""
     for kind in CONNECTIONS.values():
         for partner, other in _ends():
             if kind.admits(port, 0, 1) and kind.admits(outer_ports(partner)[other], 1, 1):
@@ -156,7 +156,7 @@ def _passed(port: Port) -> Iterator[Option]:
 
 
 def _ends() -> Iterator[tuple[type[Entity], str]]:
-    """Yield the ports at which a connection can end, of entities that need no other connection."""
+    """Yield the ports of entities at which a connection can end and that need no other connection."""
     for cls in ENTITIES.values():
         ports = outer_ports(cls)
         for name, port in ports.items():

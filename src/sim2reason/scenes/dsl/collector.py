@@ -1,4 +1,4 @@
-"""What the verbs of the builder collect: the parts of a mechanism, checked and named as they come."""
+"""The collection of the parts of a mechanism, with checks and names."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
@@ -31,13 +31,13 @@ from sim2reason.scenes.dsl.units import SI, UnitSystem
 from sim2reason.scenes.dsl.vectors import Vector, add
 
 Axes = tuple[Vector, Vector, Vector]
-"""Where the x, y and z axes of a body point in the room: unit vectors at right angles."""
-WHEEL_RADIUS = 0.05  # m; of a pulley that nobody gave one, so only for looks
+"""The directions of the x, y and z axes of a body in the world frame: orthogonal unit vectors."""
+WHEEL_RADIUS = 0.05  # m; default radius of a pulley, for drawings only
 
 
 @dataclass(frozen=True, slots=True)
 class Rim:
-    """The points where a string meets a pulley's rim, as site names, and the wheel if it has mass.
+    """The two points where a string meets a pulley's rim, as site names, and the wheel if it has mass.
 
     A string that passes over or under it goes through both, one after the other.
     """
@@ -49,12 +49,12 @@ class Rim:
 
 
 class Collector:
-    """Collects what is made; gluing, naming and the splitting of lines are settled here once."""
+    """A collector of the parts of a mechanism, which also welds glued bodies and splits lines."""
 
     def __init__(
         self, gravity: Vector = (0.0, 0.0, -GRAVITY), glued: Iterable[str] = (), units: UnitSystem = SI
     ) -> None:
-        """`glued` names bodies that are welded to their parents whatever an entity says of them."""
+        """Start without parts; bodies in `glued` are welded to their parents regardless of the entities."""
         self._gravity, self._units = gravity, units
         self._glued = frozenset(glued)
         self._bodies: dict[str, RigidBody] = {}
@@ -77,37 +77,37 @@ class Collector:
 
     @property
     def bodies(self) -> tuple[str, ...]:
-        """The names of all bodies that were made."""
+        """Return the names of all bodies."""
         return tuple(self._bodies)
 
     def position(self, site: str) -> Vector:
-        """Return where a site stands in the room at the start."""
+        """Return the initial position of a site in the world frame, m."""
         found = self._sites[site]
         return add(self._origin[found.body], found.at)
 
     def carrier(self, site: str) -> str | None:
-        """Return the body that a site is on; None for the room."""
+        """Return the body of a site; None for the room."""
         return self._sites[site].body
 
     @cached_property
     def extent(self) -> tuple[float, float]:
-        """The least and greatest x of all sites and bodies, once they are there."""
+        """Return the least and greatest x of all sites and bodies, m."""
         across = [self.position(site)[0] for site in self._sites] + [at[0] for name, at in self._origin.items() if name]
         return (min(across), max(across)) if across else (0.0, 0.0)
 
     def relative(self, body: str | None, where: Vector) -> Vector:
-        """Return a point of the room as seen from a body's centre of mass at the start."""
+        """Return a point of the world frame relative to the frame of a body at the start, m."""
         origin = self._origin[body]
         return (where[0] - origin[0], where[1] - origin[1], where[2] - origin[2])
 
     def add_body(self, body: RigidBody) -> None:
-        """Enter a body; its name must be new."""
+        """Add a body with a new name."""
         self._new(body.name, self._bodies)
         self._bodies[body.name] = body
         self._origin[body.name] = add(self._origin[body.parent], body.at)
 
     def add_coordinate(self, coordinate: Coordinate) -> None:
-        """Give a body one more way to move, unless it is glued; SceneError for one that is welded and told to move."""
+        """Add a coordinate to its body unless it is glued; raise SceneError if the body is welded."""
         found = self._bodies[coordinate.body]
         welded = self._is_welded(found)
         if welded and coordinate.speed != 0.0:
@@ -125,24 +125,24 @@ class Collector:
         return owner in self.welded and body.parent == self.welded[owner]
 
     def add_face(self, face: Face) -> None:
-        """Say that a body lies on its parent, unless it is glued to it."""
+        """Add a contact of a body with its parent unless the body is glued to it."""
         if face.subject not in self._glued and not self._is_welded(self._bodies[face.subject]):
             self._faces[face.subject] = face
 
     def add_site(self, name: str, body: str | None, where: Vector, faces: Vector | None = None) -> None:
-        """Mark a point of a body, given where it stands in the room at the start."""
+        """Add a point of a body, given its initial position in the world frame."""
         self._new(name, self._sites)
         self.faces[name] = faces
         self._sites[name] = Site(name, body, self.relative(body, where))
 
     def add_pulley(self, name: str, pulley: Rim) -> Rim:
-        """Enter a pulley, so that strings that pass its rim points turn it; over one that is glued they slide."""
+        """Add a pulley that strings rotate; if it is glued they slide."""
         kept = replace(pulley, coordinate=None) if name in self._glued else pulley
         self._rims[pulley.left, pulley.right] = kept
         return kept
 
     def add_line(self, name: str, through: Iterable[str], law: LineLaw, last: LineLaw | None = None) -> None:
-        """Enter a line, in as many parts as massive pulleys cut it into; `last` is the law of its last part."""
+        """Add a line, split at the massive pulleys that it passes; `last` is the force law of its last part."""
         parts = self._split(through)
         for number, (sites, wheels) in enumerate(parts, start=1):
             part = name if len(parts) == 1 else f"{name}/{number}"
@@ -153,7 +153,7 @@ class Collector:
     def add_spring(
         self, name: str, through: Iterable[str], stiffness: float, length: float | None, damping: float
     ) -> None:
-        """Enter a spring; without a natural length it is relaxed at the start."""
+        """Add a spring; without a natural length it is initially relaxed."""
         sites = tuple(through)
         if length is None:
             places = [self.position(site) for site in sites]
@@ -161,7 +161,7 @@ class Collector:
         self.add_line(name, sites, Elastic(stiffness, length, damping))
 
     def add_arc(self, name: str, bodies: tuple[str, str], radius: float, arc: float, law: LineLaw) -> None:
-        """Enter a line along the circle on which two bodies turn, from one to the other; one that is glued holds it."""
+        """Add a line along the circle on which two bodies rotate; a glued body holds its end."""
         ends = (f"{name}.from", f"{name}.to")
         for end, at in zip(ends, (ZERO, (arc, 0.0, 0.0)), strict=True):
             self.add_site(end, None, at)
@@ -172,14 +172,14 @@ class Collector:
         self._lines[name] = Line(name, name, ends, wheels, law, bodies)
 
     def add_wound(self, name: str, body: str, ends: tuple[str, str], radius: float) -> None:
-        """Add a string wound round a body that turns; its free length shrinks by `radius` times the angle."""
+        """Add a string wound round a rotating body; its free length shrinks by `radius` times the angle."""
         self._new(name, self._lines)
         self.wound.add(name)
         wheels = tuple(Wheel(hinge.name, radius) for hinge in self._bodies[body].coordinates)
         self._lines[name] = Line(name, name, ends, wheels, Inextensible())
 
     def _split(self, through: Iterable[str]) -> list[tuple[tuple[str, ...], tuple[Wheel, ...]]]:
-        """Cut a path wherever it goes from one rim point of a massive pulley to the other."""
+        """Return the parts of a path, split where it passes the rim of a massive pulley."""
         parts: list[tuple[list[str], list[Wheel]]] = [([], [])]
         for site in through:
             if site not in self._sites:
@@ -196,7 +196,7 @@ class Collector:
         return [(tuple(sites), tuple(wheels)) for sites, wheels in parts]
 
     def _grip(self, first: str, last: str) -> Wheel | None:
-        """How a string that comes in at `first` and leaves at `last` turns a massive pulley, if it is one's rim."""
+        """Return the wheel of a massive pulley with rim points `first` and `last`, signed by direction; else None."""
         pulley = self._rims.get((first, last)) or self._rims.get((last, first))
         if pulley is None or pulley.coordinate is None:
             return None
@@ -211,7 +211,7 @@ class Collector:
             raise SceneError(name, "two things have this name", "give each body and string its own")
 
     def finish(self) -> Mechanism:
-        """Return the mechanism of everything that was said."""
+        """Return the mechanism of all collected parts."""
         return Mechanism(
             tuple(self._bodies.values()),
             tuple(self._sites.values()),

@@ -1,7 +1,7 @@
-"""Connections: what joins the ports of entities. Each knows how it is built, described, parsed and drawn.
+"""Connections between the ports of entities, with methods to build, describe, parse and draw them.
 
-How a sentence is written or matched is the business of `prose` and `parsing`; what a connection needs of them is
-said here as protocols, so that the language does not depend on its readers.
+Writing and matching of sentences belong to `prose` and `parsing`; connections use them through the protocols in this
+module, so that the scene language does not depend on its readers.
 """
 
 from collections.abc import Iterator, Mapping
@@ -15,32 +15,32 @@ from sim2reason.scenes.dsl.model import Model
 from sim2reason.scenes.dsl.ports import Port, Stop
 from sim2reason.scenes.dsl.template import Word
 
-FREE = 2.5  # m of free string between neighbours, so that motions of a second or two have room
+FREE = 2.5  # m of free string between neighbours, enough for motions of a second or two
 Told = float | str | None
-"""What a text tells of an address: a number, a word of a choice, or that it is absent."""
+"""The value that a text states for an address: a number, a word of a choice, or None if it is absent."""
 
 Look = Literal["string", "spring", "rod", "pivot", "weld"]
-"""How a connection is drawn: a thin line, a coil, a bar; a ring or a square where two bodies meet."""
+"""The drawn kind of a connection: a thin line, a coil, a bar; a ring or a square where two bodies meet."""
 
 
 class Link(Model):
-    """A port of an entity of the scene, by name; a passed port may be passed from its far side."""
+    """A port of a named entity; `flipped` if a passed port is passed from its far side."""
 
     entity: str
     port: str
     flipped: bool = False
 
     def __str__(self) -> str:
-        """As messages name it."""
+        """Return the link as in messages."""
         return f"{self.entity}.{self.port}"
 
 
 class SentenceWriter(Protocol):
-    """What a connection needs of whoever writes a scene's text."""
+    """The protocol of writers of a scene's text, as connections use it."""
 
     @property
     def builder(self) -> Builder:
-        """Return where sites are, and which way strings must leave them."""
+        """Return the builder with the positions of sites and the directions of strings."""
         ...
 
     def choose(self, options: tuple[str, ...]) -> str:
@@ -48,37 +48,37 @@ class SentenceWriter(Protocol):
         ...
 
     def render(self, template: str, address: str) -> str:
-        """Return a template of the entity or part at an address."""
+        """Return the text of a template of the entity or part at an address."""
         ...
 
     def at(self, address: str) -> str:
-        """Return what the text has for an address: a number, a body, a list of bodies."""
+        """Return the text for an address: a number, a body, a list of bodies."""
         ...
 
     @property
     def finished(self) -> tuple[str, ...]:
-        """All earlier sentences."""
+        """Return all earlier sentences."""
         ...
 
 
 class SentenceState(Protocol):
-    """What a text has told so far; frozen, so that many readings can be followed at once."""
+    """The protocol of the values read from a text so far; immutable, to follow several readings at once."""
 
     @property
     def values(self) -> Mapping[str, Told]:
-        """Numbers by address."""
+        """Return the stated values by address."""
         ...
 
     def with_choice(self, number: int) -> Self:
-        """With one more wording that was met."""
+        """Return the state with one more chosen wording."""
         ...
 
     def with_kind(self, address: str, kind: type[Model]) -> Self:
-        """With the class of what stands at an address."""
+        """Return the state with the class of the value at an address."""
         ...
 
     def with_value(self, address: str, value: Told) -> Self | None:
-        """With a number; None if another one was told before."""
+        """Return the state with a value; None if it contradicts an earlier one."""
         ...
 
 
@@ -87,7 +87,7 @@ S = TypeVar("S", bound=SentenceState)
 
 @dataclass(frozen=True, slots=True)
 class Leg(Generic[S]):
-    """A port that a connection takes, as its stops in the order of travel; `last` ends the connection."""
+    """A port on the path of a connection, as its stops in the order of travel; `last` marks the end."""
 
     link: Link
     stops: tuple[Stop, ...]
@@ -96,35 +96,35 @@ class Leg(Generic[S]):
 
 
 class Routes(Protocol[S]):
-    """What a connection's sentence may name next."""
+    """The protocol of the ports that a connection's sentence may name next."""
 
     def legs(self, kind: "type[Connection]", state: S, links: tuple[Link, ...]) -> Iterator[Leg[S]]:
-        """Return all ways in which a kind of connection can go on after `links`; without any, all ways to begin."""
+        """Return all legs by which a kind of connection can continue after `links`, or begin if there are none."""
         ...
 
 
 class SentenceMatcher(Protocol[S]):
-    """What a connection needs of whoever matches the sentences of a text."""
+    """The protocol of matchers of the sentences of a text, as connections use it."""
 
     pieces: tuple[str, ...]
     reach: int
 
     def may_be(self, place: int, template: str) -> bool:
-        """Return whether all fixed words of a template stand somewhere in a sentence."""
+        """Return whether all fixed words of a template occur in a sentence."""
         ...
 
     def literal(self, text: str, at: int, wanted: str) -> int | None:
-        """Return where `wanted` ends if it stands at `at`."""
+        """Return the index behind `wanted` if the text has it at index `at`, else None."""
         ...
 
     def template(self, text: str, at: int, template: str, owner: str, state: S) -> Iterator[tuple[int, S]]:
-        """Return all ways in which a template of the part at `owner` can stand at `at`."""
+        """Yield all readings of a template of the part at `owner` at index `at`."""
         ...
 
 
 @dataclass(frozen=True, slots=True)
 class ParsedSentence(Generic[S]):
-    """A connection's sentence as it was read: its links and own bodies in the order in which they are told."""
+    """A parsed sentence of a connection: its links and own bodies in the order of the text."""
 
     state: S
     links: tuple[Link, ...]
@@ -132,29 +132,29 @@ class ParsedSentence(Generic[S]):
 
 
 class Connection(Model):
-    """The base of all connections: a path through ports, built and told as one thing."""
+    """The base class of connections: a path through ports, built and described as one unit."""
 
-    key: ClassVar[str] = ""  # its name in scene files
-    joins: ClassVar[type[Port]] = Port  # the type of ports between which it can run
+    key: ClassVar[str] = ""  # name in scene files
+    joins: ClassVar[type[Port]] = Port  # type of ports that it can join
     look: ClassVar[Look] = "string"
     carries: ClassVar[bool] = False  # whether its first end carries the entity at its last one
-    stiff: ClassVar[bool] = False  # and if so, without letting it turn
+    stiff: ClassVar[bool] = False  # whether the carried entity is welded, without rotation
     words: ClassVar[dict[str, Word]] = {}
     links: tuple[Link, ...]
 
     @classmethod
     def admits(cls, port: Port, index: int, last: int) -> bool:
-        """Return whether its link at `index` may lead to a port."""
+        """Return whether the link at `index` may be a port of this type."""
         del index, last
         return isinstance(port, cls.joins)
 
     @property
     def spacing(self) -> float:
-        """Return how far apart neighbours on it stand, m."""
+        """Return the distance of neighbouring stops, m."""
         return FREE
 
     def brings(self, joint: "Joint", builder: Builder) -> dict[str, Body]:
-        """Return the bodies that the connection itself brings, by address."""
+        """Return the bodies that belong to the connection, by address."""
         raise NotImplementedError
 
     def build(self, joint: "Joint", builder: Builder) -> None:
@@ -162,27 +162,27 @@ class Connection(Model):
         raise NotImplementedError
 
     def describe(self, joint: "Joint", writer: SentenceWriter) -> str:
-        """Return its sentence."""
+        """Return the sentence of the connection."""
         raise NotImplementedError
 
     @classmethod
     def parse(
         cls, name: str, place: int, state: S, matcher: SentenceMatcher[S], routes: Routes[S]
     ) -> Iterator[ParsedSentence[S]]:
-        """Return its sentence read back: all that the piece at `place` can mean as what `describe` says."""
+        """Yield all parses of the connection's sentence at index `place`."""
         raise NotImplementedError
 
 
 @dataclass(frozen=True, slots=True)
 class Joint:
-    """A connection at its place in a scene: its address, and its stops in the order of travel."""
+    """A connection in a scene, with its address and its stops in the order of travel."""
 
     name: str
     connection: Connection
     stops: tuple[Stop, ...]
 
     def brings(self, builder: Builder) -> dict[str, Body]:
-        """Return the bodies that the connection itself brings, by address."""
+        """Return the bodies that belong to the connection, by address."""
         return self.connection.brings(self, builder)
 
     def build(self, builder: Builder) -> None:
@@ -190,19 +190,19 @@ class Joint:
         self.connection.build(self, builder)
 
     def describe(self, writer: SentenceWriter) -> str:
-        """Return its sentence."""
+        """Return the sentence of the connection."""
         return self.connection.describe(self, writer)
 
 
 @dataclass(frozen=True, slots=True)
 class Inside:
-    """A connection inside an entity, through its own ports from end to end."""
+    """A connection within an entity, through its own ports from end to end."""
 
     kind: type[Connection]
     stops: tuple[str, ...]
 
     def made(self) -> Connection:
-        """Return the connection, with the default of each of its numbers."""
+        """Return the connection with default numbers."""
         return self.kind(links=())
 
 
@@ -211,5 +211,5 @@ CONNECTIONS: Registry[type[Connection]] = Registry("connections", package="sim2r
 
 
 def connection(cls: type[C]) -> type[C]:
-    """Enter a connection class under its key in scene files."""
+    """Register a connection class under its key in scene files."""
     return CONNECTIONS.add(cls.key, cls)

@@ -1,4 +1,4 @@
-"""Whether the equations of a mechanism never change, as its structure proves: then its motion is quadratic."""
+"""Structural test for constant equations of motion, for which all motion is a quadratic function of time."""
 
 from itertools import pairwise
 from math import hypot
@@ -7,11 +7,11 @@ from sim2reason.scenes.dsl.frames import BodyFrame, Frames, start
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Inextensible, Line, Mechanism, Prop, RigidBody
 from sim2reason.scenes.dsl.vectors import Point, Triple, Vector, cross, inner, minus, times
 
-ALIGNED = 1e-9  # how far two unit vectors may differ and still be called parallel
+ALIGNED = 1e-9  # largest difference of parallel unit vectors
 
 
 def changing(mechanism: Mechanism, frames: Frames | None = None) -> str:
-    """What makes the equations change, in a few words; empty if nothing does. `frames` are those of the start."""
+    """Return the reason why the equations of motion change, in a few words; empty if they are constant."""
     return mechanism.once("changing", lambda: _changing(mechanism, frames))
 
 
@@ -31,13 +31,13 @@ def _changing(mechanism: Mechanism, frames: Frames | None) -> str:
 
 
 def may_turn_back(mechanism: Mechanism) -> bool:
-    """Return whether something may: what is sent off, collides, or is driven by a force that changes."""
+    """Return whether a motion may reverse: by an initial speed, a collision, or a changing force."""
     sent = any(coordinate.speed for coordinate in mechanism.coordinates)
     return sent or bool(mechanism.meetings or changing(mechanism))
 
 
 def turns_one_way(mechanism: Mechanism, name: str) -> bool:
-    """Return whether a body that rolls or slips on a plane never reverses its rotation, whatever its numbers are.
+    """Return whether a body that rolls or slips on a plane never reverses its rotation, for any parameters.
 
     A body that starts from rest never does if no motion may turn back. Nor does a lone body launched with its centre
     and its rim moving in one sense, not up the slope: friction slows one and speeds up the other until they agree.
@@ -57,7 +57,7 @@ def turns_one_way(mechanism: Mechanism, name: str) -> bool:
 
 
 def _turning_body(mechanism: Mechanism, frames: Frames, body: RigidBody) -> str:
-    """Return a body whose centre of mass a hinge moves, or whose own ways of moving it turns."""
+    """Return the name of a body whose centre of mass or direction of motion a hinge rotates; empty if none."""
     frame = frames[body.name]
     if frame.spin is None:
         return ""
@@ -88,7 +88,7 @@ def _parallel(one: Vector, other: Vector) -> bool:
 
 
 def bending(line: Line, frames: Frames) -> str:
-    """Return a line that turns as its sites move."""
+    """Return the name of a line that rotates as its sites move; empty if it does not."""
     try:
         pieces = frames.pieces(line)
     except ZeroDivisionError:  # two sites coincide, which engines refuse for themselves
@@ -101,7 +101,7 @@ def bending(line: Line, frames: Frames) -> str:
 
 
 def straight(mechanism: Mechanism, frames: Frames, first: str, last: str) -> Triple | None:
-    """Return the unit vector from one site to another where it never turns, since only slides along it move them."""
+    """Return the constant unit vector from one site to another; None if the direction can change."""
     run = frames.distance(first, last)
     for number, moved in run.moved.items():
         if not _moved(moved):
@@ -112,7 +112,7 @@ def straight(mechanism: Mechanism, frames: Frames, first: str, last: str) -> Tri
 
 
 def steady(mechanism: Mechanism) -> dict[tuple[str, str], Triple]:
-    """The straight pieces of all lines whose length can change but not their direction, by their ends, with that."""
+    """Return the constant unit vectors, by end sites, of straight segments of variable length."""
     frames, found = start(mechanism), dict[tuple[str, str], Triple]()
     for ends in dict.fromkeys(ends for line in mechanism.lines for ends in pairwise(line.through)):
         try:
@@ -126,5 +126,5 @@ def steady(mechanism: Mechanism) -> dict[tuple[str, str], Triple]:
 
 
 def _slides_after_a_hinge(frame: BodyFrame) -> bool:
-    """Return whether a body slides on one that turns, so that a hinge may move it later that does not at the start."""
+    """Return whether a body slides on a rotating body, so that a hinge may move it later."""
     return any(one.pivot is not None and other.pivot is None for one, other in pairwise(frame.steps))

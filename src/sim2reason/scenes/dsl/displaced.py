@@ -1,4 +1,4 @@
-"""A mechanism that begins elsewhere: the same bodies, lines and forces, at other coordinates and speeds."""
+"""Mechanisms with other initial coordinates and speeds."""
 
 import math
 from collections.abc import Sequence
@@ -21,14 +21,13 @@ from sim2reason.scenes.dsl.mechanism import (
 )
 from sim2reason.scenes.dsl.vectors import Tensor, minus, product
 
-SAME = 1e-9  # m
+SAME = 1e-9  # m; smaller differences count as zero
 
 
 def displaced(mechanism: Mechanism, coordinates: Sequence[float], speeds: Sequence[float]) -> Mechanism:
-    """Return the mechanism as it is at other `coordinates` (n,), m or rad, where its motion begins with `speeds` (n,).
+    """Return the mechanism with other initial `coordinates` (n,), m or rad, and `speeds` (n,).
 
-    What acts does not change: a string is as long as it was, a spring has the natural length that it had. Time begins
-    anew, and so does what depends on it.
+    The laws do not change: strings and springs keep their lengths. Time and its functions restart at 0.
 
     Raises:
         UnsupportedError: a strut that only pushes has been left, or a body has slid away from its own hinge.
@@ -46,19 +45,19 @@ def displaced(mechanism: Mechanism, coordinates: Sequence[float], speeds: Sequen
 
 
 class _Displaced:
-    """The parts of a mechanism, at other coordinates."""
+    """The converter of the parts of a mechanism to other initial coordinates."""
 
     def __init__(
         self, mechanism: Mechanism, frames: Frames, coordinates: Sequence[float], speeds: Sequence[float]
     ) -> None:
-        """`frames` are those at the coordinates."""
+        """Store the mechanism and its `frames` at the new coordinates."""
         self.mechanism, self.frames = mechanism, frames
         self.coordinates, self.speeds = coordinates, speeds
         rest = [0.0] * len(mechanism.coordinates)
         self.began = Frames(mechanism, rest, rest, math, still=True)
 
     def body(self, body: RigidBody) -> RigidBody:
-        """Return a body: its frame has the axes of the room again."""
+        """Return the body with its frame aligned with the room."""
         frame, carrier = self.frames[body.name], self.frames[body.parent]
         return replace(
             body,
@@ -86,16 +85,16 @@ class _Displaced:
         )
 
     def site(self, site: Site) -> Site:
-        """Return a site."""
+        """Return the site in the new frame of its body."""
         return replace(site, at=self.frames[site.body].turned(site.at)) if site.body is not None else site
 
     def face(self, face: Face) -> Face:
-        """Return a face: its normal turns with the body or with its parent."""
+        """Return the face with its normal in the new frame of its carrier."""
         carrier = face.subject if face.turning else self.mechanism.body[face.subject].parent
         return replace(face, normal=self.frames[carrier].turned(face.normal))
 
     def line(self, line: Line) -> Line:
-        """Return a line: what it may still give out, and what wheels have wound up, belongs to its law from now on."""
+        """Return the line with remaining slack and wound length moved into its law."""
         return replace(line, law=self._law(line))
 
     def _law(self, line: Line) -> LineLaw:
@@ -113,7 +112,7 @@ class _Displaced:
 
 
 def _turned(frame: BodyFrame, inertia: Tensor) -> Tensor:
-    """R I Rᵀ."""
+    """Return the rotated inertia tensor R I Rᵀ."""
     if frame.rotation is None or not any(inertia):
         return inertia
     xx, yy, zz, xy, xz, yz = inertia

@@ -1,4 +1,4 @@
-"""Parts and entities: mechanisms made of bodies, with lines that tell them and ports that join them."""
+"""Parts and entities: mechanisms of bodies with sentences that describe them and ports that join them."""
 
 from collections.abc import Mapping
 from functools import cache
@@ -20,7 +20,7 @@ PORT_TYPES = (Port, Inside)
 
 
 class Part(Model):
-    """The base of parts that several entities share: bodies with their own lines and ports.
+    """The base class of parts that several entities share: bodies with their own sentences and ports.
 
     The fields of a subclass declare its bodies and numbers. A class with a number that no line states cannot be
     defined: a TypeError names the number.
@@ -49,7 +49,7 @@ class Part(Model):
     called: ClassVar[str] = (
         ""  # what a sentence about all of it calls it, *the electric field*; empty if none speaks of it
     )
-    untold: ClassVar[frozenset[str]] = frozenset()  # numbers that bodies may have and that its lines do not tell
+    untold: ClassVar[frozenset[str]] = frozenset()  # numbers that bodies may have and that no line states
 
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
@@ -85,7 +85,7 @@ class Part(Model):
 
 
 class Entity(Part):
-    """The base of entities: mechanisms that a scene file can name.
+    """The base class of entities: mechanisms that a scene file can name.
 
     The fields of a subclass declare its bodies and numbers, `says` the lines of its text, ports the places where
     connections join, and `build` its mechanics. Register the class with `entity`, so that files and texts find it.
@@ -111,8 +111,8 @@ class Entity(Part):
         6.0
     """
 
-    units: ClassVar[UnitSystem] = SI  # in which its text speaks
-    schematic: ClassVar[bool] = False  # drawn with strings and faces as long as looks best, else to scale
+    units: ClassVar[UnitSystem] = SI  # system of units of the text
+    schematic: ClassVar[bool] = False  # drawn with convenient lengths of strings and faces instead of to scale
 
     def horizon(self, gravity: float) -> float | None:
         """Return the duration for which to follow the motion, such as a period; None for the default.
@@ -128,7 +128,7 @@ class Entity(Part):
 
     @property
     def clocked(self) -> bool:
-        """Return whether the text says what happens at t = 0, so that a start from rest is no release."""
+        """Return whether the text states the motion at t = 0, so that a start from rest is no release."""
         return False
 
     @property
@@ -207,7 +207,7 @@ def inside(cls: type[Part]) -> Mapping[str, Inside]:
 
 @cache
 def outer_ports(cls: type[Part]) -> Mapping[str, Port]:
-    """Return the ports that a connection can use: those that nothing inside and no chain of the class uses up."""
+    """Return the ports open to connections: those not used inside the entity or by a chain."""
     declared = ports_of(cls)
     used = {stop for inner in inside(cls).values() for stop in inner.stops}
     used |= {stop for port in declared.values() if isinstance(port, Chain) for stop in port.stops}
@@ -215,7 +215,7 @@ def outer_ports(cls: type[Part]) -> Mapping[str, Port]:
 
 
 def stops_of(part: Part, name: str, address: str, *, flipped: bool = False) -> list[Stop]:
-    """Return a port of an instance as the stops that a string makes there, from the inside out."""
+    """Return a port of an instance as its stops, from the inside out."""
     head, _, rest = name.partition(".")
     if rest:
         return stops_of(getattr(part, head), rest, f"{address}.{head}", flipped=flipped)
@@ -227,9 +227,9 @@ def stops_of(part: Part, name: str, address: str, *, flipped: bool = False) -> l
 
 
 def check_lines(cls: type[Part]) -> frozenset[str]:
-    """Compare the numbers that a class declares with those that its lines state; TypeError names the difference.
+    """Return the numbers that may remain unstated because a body usually lacks them.
 
-    Return the numbers that may remain unstated because a body usually does without them.
+    Raise TypeError if the lines of the class do not state all other declared numbers.
     """
     required = {name for name, port in ports_of(cls).items() if port.required}
     chained = {inner for name in required for inner in getattr(ports_of(cls)[name], "stops", ())}
@@ -271,7 +271,7 @@ def _told(cls: type[Part], saying: Saying) -> set[str]:
 
 
 def parts_at(part: Part, field: str) -> dict[str, Part]:
-    """Return the parts that a field holds, one or several, each by its path from the part that holds them."""
+    """Return the parts in a field, one or several, by path from the part that contains them."""
     held: Any = getattr(part, field)
     several = isinstance(held, tuple)
     members = cast("tuple[Any, ...]", held) if several else (held,)
@@ -280,7 +280,7 @@ def parts_at(part: Part, field: str) -> dict[str, Part]:
 
 
 def _clauses(cls: type[Part], port: Port) -> set[str]:
-    """Return what all clauses of a port tell, whichever of them is used."""
+    """Return the numbers that every clause of a port states."""
     if isinstance(port, Pass):
         return _common(cls, (port.passes,))
     if isinstance(port, StringEnd):
@@ -290,7 +290,7 @@ def _clauses(cls: type[Part], port: Port) -> set[str]:
 
 
 def phrase_of(port: Port) -> str:
-    """Return what a connection that ends at a port calls it; empty where it has no words."""
+    """Return the phrase of a port for a connection that ends there; empty if there is none."""
     if isinstance(port, Attachment):
         return port.tied
     return port.place if isinstance(port, Mount) else port.held if isinstance(port, Base) else ""
@@ -302,7 +302,7 @@ def _common(cls: type[Part], templates: tuple[str, ...]) -> set[str]:
 
 
 def declared_numbers(cls: type[Part]) -> set[str]:
-    """Return the numbers and bodies' numbers that the lines of a class itself have to tell; parts tell their own."""
+    """Return the numbers that the lines of a class itself must state, without those of its parts."""
     found: set[str] = set()
     for name, kind in field_types(cls).items():
         if (kind.measure is not None or kind.words) and not kind.hidden:
@@ -316,7 +316,7 @@ def declared_numbers(cls: type[Part]) -> set[str]:
 
 
 def tells(cls: type[Part], slot: Slot) -> set[str]:
-    """Return the declared numbers that a slot tells; TypeError for a path that leads nowhere."""
+    """Return the declared numbers that a slot states; raise TypeError for an invalid path."""
     if slot.kind in ("text", "agree", "some", "count", "plural"):
         if slot.path and slot.path.split(".")[0] not in cls.model_fields:
             raise TypeError(f"{cls.__name__}: {slot.path!r} is not declared")
@@ -338,7 +338,7 @@ def tells(cls: type[Part], slot: Slot) -> set[str]:
 
 
 def _texts(word: Word) -> tuple[str, ...]:
-    """Return all that a word can say."""
+    """Return all texts of a word."""
     return (*word.special.values(), *((word.otherwise,) if word.otherwise else ()))
 
 

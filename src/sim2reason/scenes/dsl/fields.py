@@ -1,7 +1,7 @@
-"""Laws of force: data that any kind of number can be put through.
+"""Force laws of fields and media, for floats, arrays or symbols.
 
-A law takes a place, a velocity and a time, as floats, arrays or symbols, and `maths`, which knows the root, sine
-and cosine of such numbers.
+A law takes a position, a velocity and a time, and `maths` with the square root, sine and cosine of their type of
+number.
 """
 
 from dataclasses import dataclass, replace
@@ -242,14 +242,14 @@ class Central:
     power: int = 2
 
     def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
-        """Along the line from the centre."""
+        """Return the force along the line from the centre, N."""
         del velocity, time
         apart = minus(place, self.center)
         square = product(apart, apart)
         return times(self.strength / _power(square, self.power + 1, maths), apart)
 
     def potential(self, place: Triple, maths: Maths) -> Number | None:
-        """Strength / ((p − 1) rᵖ⁻¹), zero at infinity; None for p = 1."""
+        """Return the potential energy strength / ((p − 1) rᵖ⁻¹), zero at infinity, J; None for p = 1."""
         if self.power == 1:
             return None
         apart = minus(place, self.center)
@@ -257,16 +257,16 @@ class Central:
 
     @property
     def constant(self) -> bool:
-        """Return False, since the force depends on the place."""
+        """Return False, since the force depends on position."""
         return False
 
     def moved(self, by: Vector) -> "Central":
-        """About another origin."""
+        """Return the law about another origin."""
         return replace(self, center=add(self.center, by))
 
 
 def _power(square: Number, power: int, maths: Maths) -> Number:
-    """R to a whole power, from r²."""
+    """Return an integer power of a distance, given its square."""
     found: Number = maths.sqrt(square) if power % 2 else 1.0
     for _ in range(abs(power) // 2):
         found = found * square

@@ -1,9 +1,9 @@
-"""Where the parts of a mechanism are and how they move, for any kind of number.
+"""Positions and motions of the parts of a mechanism, for floats, arrays or symbols.
 
-The tree of bodies is walked once, with floats for the geometry at the start, with arrays for all instants of a motion,
-with symbols for equations of motion. Only + − × and the caller's sine and cosine are used. A *point* knows its place,
-its velocity, its acceleration at q̈ = 0 (so that no gradient is ever differentiated), how it moves with each
-coordinate, and how it would move if a body rose from the face that it lies on.
+The tree of bodies is traversed once, with floats for the initial geometry, with arrays for all instants of a motion,
+with symbols for equations of motion. Only + − × and the caller's sine and cosine are used. A *point* has its position,
+velocity, acceleration at q̈ = 0 (so that no gradient need be differentiated), its gradient by each coordinate, and its
+gradient by the rise of a body from its face.
 """
 
 import math
@@ -34,43 +34,43 @@ Rotation = tuple[Triple, Triple, Triple]  # rows
 
 @dataclass(slots=True)
 class Turning:
-    """How a body turns: all in room axes."""
+    """The rotation of a body, in the axes of the room."""
 
     velocity: Triple  # rad/s
-    bias: Triple  # its angular acceleration at q̈ = 0
+    bias: Triple  # angular acceleration at q̈ = 0, rad/s²
     gradient: Gradient
 
 
 @dataclass(slots=True)
 class Step:
-    """One coordinate on the way from the room to a body, at its present direction."""
+    """One coordinate between the room and a body, with its present direction."""
 
     number: int
     axis: Triple
-    pivot: Triple | None  # a point of the axis of a hinge; None of a slide
+    pivot: Triple | None  # a point of the axis of a hinge; None for a slide
 
 
 @dataclass(slots=True)
 class BodyFrame:
-    """The frame of a body at one instant, or at all."""
+    """The frame of a body at one instant, or at all instants."""
 
     origin: Triple
     rotation: Rotation | None  # None: the axes of the room
     velocity: Triple
     bias: Triple
-    spin: Triple | None  # angular velocity; None: it never turns
+    spin: Triple | None  # angular velocity; None: the body never rotates
     spin_bias: Triple
     steps: tuple[Step, ...]
     lift: Gradient
 
     def turned(self, vector: Triple) -> Triple:
-        """Return a vector of this frame in room axes."""
+        """Return a vector given in this frame, in the axes of the room."""
         if self.rotation is None:
             return vector
         return (product(self.rotation[0], vector), product(self.rotation[1], vector), product(self.rotation[2], vector))
 
     def unturned(self, vector: Triple) -> Triple:
-        """Return a vector in room axes in those of this frame."""
+        """Return a vector given in the axes of the room, in this frame."""
         if self.rotation is None:
             return vector
         a, b, c = self.rotation
@@ -91,7 +91,7 @@ class BodyFrame:
         return Point(place, velocity, bias, gradient, self.lift)
 
     def carried(self, arm: Triple) -> tuple[Triple, Triple]:
-        """Velocity and bias of what lies at `arm`, in room axes, from the origin."""
+        """Return velocity and bias of a point at `arm` from the origin, in the axes of the room."""
         if self.spin is None or self.spin is ZERO:
             return self.velocity, self.bias
         swing = cross(self.spin, arm)
@@ -99,12 +99,12 @@ class BodyFrame:
 
     @property
     def hinges(self) -> tuple[Step, ...]:
-        """The hinges on the way from the room."""
+        """Return the hinges between the room and the body."""
         return tuple(step for step in self.steps if step.pivot is not None)
 
     @property
     def turning(self) -> Turning:
-        """Return how the frame turns."""
+        """Return the angular velocity, bias and gradient of the frame's rotation."""
         gradient = {step.number: step.axis for step in self.steps if step.pivot is not None}
         return Turning(self.spin or ZERO, self.spin_bias, gradient)
 
@@ -114,7 +114,7 @@ ROOM = BodyFrame(ZERO, None, ZERO, ZERO, None, ZERO, (), MappingProxyType({}))
 
 
 class Frames:
-    """The frames of all bodies of a mechanism for given coordinates and their rates."""
+    """The frames of all bodies of a mechanism for given coordinates and rates."""
 
     def __init__(
         self,
@@ -126,9 +126,9 @@ class Frames:
         still: bool = False,
         steady: Mapping[tuple[str, str], Triple] = NONE_STEADY,
     ) -> None:
-        """`q` and `v` hold a number for each coordinate, in the mechanism's order; `still` says that all are zero.
+        """Store coordinates `q` and rates `v` in the mechanism's order; `still` if all are zero.
 
-        `steady` has the directions from one site to another that are known never to turn.
+        `steady` has the directions between sites that are known to be constant.
         """
         self._mechanism, self._q, self._v, self._maths = mechanism, q, v, maths
         self._still, self._steady = still, steady
@@ -139,7 +139,7 @@ class Frames:
         self._pieces: dict[str, tuple[Distance, ...]] = {}
 
     def __getitem__(self, body: str | None) -> BodyFrame:
-        """Return the frame of a body; that of the room for None. It is worked out when it is asked for."""
+        """Return the frame of a body, computed on demand; None gives that of the room."""
         found = self._frames.get(body)
         if found is None:
             assert body is not None
@@ -148,14 +148,14 @@ class Frames:
         return found
 
     def center(self, body: str) -> Point:
-        """Return the centre of mass of a body."""
+        """Return the centre of mass of a body as a point."""
         found = self._centers.get(body)
         if found is None:
             found = self._centers[body] = self[body].point(self._mechanism.body[body].center)
         return found
 
     def site(self, name: str) -> Point:
-        """Return a site."""
+        """Return a site as a point."""
         found = self._sites.get(name)
         if found is None:
             site = self._mechanism.site[name]
@@ -163,7 +163,7 @@ class Frames:
         return found
 
     def distance(self, first: str, last: str) -> Distance:
-        """From one site to another; ZeroDivisionError where they coincide and can part."""
+        """Return the distance between two sites; raise ZeroDivisionError if they coincide and can separate."""
         found = self._distances.get((first, last))
         if found is None:
             steady = self._steady.get((first, last))
@@ -171,7 +171,7 @@ class Frames:
         return found
 
     def pieces(self, line: Line) -> tuple[Distance, ...]:
-        """Return the straight pieces of a line, from end to end; ZeroDivisionError as `distance` has."""
+        """Return the straight segments of a line, from end to end; raises as `distance` does."""
         found = self._pieces.get(line.name)
         if found is None:
             found = tuple([self.distance(first, last) for first, last in pairwise(line.through)])
@@ -187,13 +187,13 @@ class Frames:
         return total
 
     def normal(self, subject: str) -> Triple:
-        """Return the direction out of the face on which a body lies, in room axes."""
+        """Return the outward normal of the face on which a body lies, in the axes of the room."""
         face = self._mechanism.contacts[subject]
         carrier = subject if face.turning else self._mechanism.body[subject].parent
         return self[carrier].turned(face.normal)
 
     def _at_rest(self, body: RigidBody) -> BodyFrame:
-        """Return the frame of a body where nothing has moved yet, so that it has the axes of the room."""
+        """Return the initial frame of a body, which has the axes of the room."""
         carrier = self[body.parent]
         origin = carrier.origin if body.at is ZERO else plus(carrier.origin, body.at)
         steps, spin, lift = carrier.steps, carrier.spin, carrier.lift
@@ -257,7 +257,7 @@ class Frames:
 
 
 def _along(axis: Triple, size: Number) -> Triple:
-    """Return a number times an axis; what is zero along it stays a plain number, where others are arrays."""
+    """Return a number times an axis; zero components remain floats even if others are arrays."""
     x, y, z = axis
     if type(x) is float and type(y) is float and type(z) is float:
         return (size * x if x else 0.0, size * y if y else 0.0, size * z if z else 0.0)
@@ -265,14 +265,14 @@ def _along(axis: Triple, size: Number) -> Triple:
 
 
 def _shifted(frame: BodyFrame, arm: Triple) -> BodyFrame:
-    """Return the frame with its origin at `arm`, in room axes, from the present one."""
+    """Return the frame with its origin shifted by `arm`, in the axes of the room."""
     velocity, bias = frame.carried(arm)
     origin = plus(frame.origin, arm)
     return BodyFrame(origin, frame.rotation, velocity, bias, frame.spin, frame.spin_bias, frame.steps, frame.lift)
 
 
 def rotated(rotation: Rotation | None, axis: Vector, angle: Number, maths: Maths) -> Rotation:
-    """Return a rotation after which a turn about `axis`, a unit vector of the rotated frame, follows (Rodrigues)."""
+    """Return a rotation followed by one about the unit vector `axis` of the rotated frame (Rodrigues)."""
     c, s = maths.cos(angle), maths.sin(angle)
     x, y, z = axis
 
@@ -294,6 +294,6 @@ def rotated(rotation: Rotation | None, axis: Vector, angle: Number, maths: Maths
 
 
 def start(mechanism: Mechanism) -> Frames:
-    """Return the geometry at the start of the motion, as if nothing moved."""
+    """Return the initial frames, with all velocities zero."""
     rest = [0.0] * len(mechanism.coordinates)
     return Frames(mechanism, rest, rest, math, still=True)

@@ -1,4 +1,4 @@
-"""The duration for which a motion is followed by default."""
+"""The default duration of a simulation."""
 
 from collections.abc import Iterable
 from math import inf, pi, sqrt
@@ -7,7 +7,7 @@ from sim2reason.scenes.dsl.entity import Entity
 from sim2reason.scenes.dsl.mechanism import GRAVITY, Elastic, Mechanism
 
 HORIZON = 2.0  # s, on Earth
-MANY, FEW = 100, 40  # oscillations of the stiffest spring that engines can't follow at first, and that they can
+MANY, FEW = 100, 40  # oscillations of the stiffest spring: the limit for long motions, and the number simulated instead
 
 
 def horizon(entities: Iterable[Entity], gravity: float) -> float:
@@ -21,13 +21,13 @@ def horizon(entities: Iterable[Entity], gravity: float) -> float:
 
 
 def within_oscillations(duration: float, mechanism: Mechanism) -> float:
-    """Return `duration`, s, or some periods of the stiffest spring if it has more than engines easily follow."""
+    """Return `duration`, s, or some periods of the stiffest spring if it has too many for the engines."""
     period = stiffest_period(mechanism)
     return duration if duration <= MANY * period else FEW * period
 
 
 def stiffest_period(mechanism: Mechanism) -> float:
-    """Return the shortest period of a body on a spring whose other end is held, s; infinite without springs."""
+    """Return the shortest period of a body on a spring with its other end fixed, s; infinite without springs."""
     shortest = inf
     for line in mechanism.lines:
         if isinstance(line.law, Elastic) and line.law.acts == "both":

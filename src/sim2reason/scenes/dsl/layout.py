@@ -1,4 +1,4 @@
-"""Where entities stand: each is placed so that the strings from its neighbours run straight."""
+"""Positions of entities, chosen so that the strings between neighbours are straight."""
 
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
@@ -13,7 +13,7 @@ from sim2reason.scenes.dsl.mechanism import ZERO
 from sim2reason.scenes.dsl.ports import Stop, StringEnd
 from sim2reason.scenes.dsl.vectors import Vector, add, scale
 
-GAP = 1.0  # m between entities that no straight string aligns; only for looks
+GAP = 1.0  # m between entities that no straight string aligns, for drawings only
 
 
 def opposite(one: Vector | None, other: Vector | None) -> bool:
@@ -22,7 +22,7 @@ def opposite(one: Vector | None, other: Vector | None) -> bool:
 
 
 class Neighbours(NamedTuple):
-    """Two sites of different entities that a connection leads from one to the other, and how far apart they stand."""
+    """Two sites of different entities that a connection joins, and their distance."""
 
     one: str
     other: str
@@ -30,7 +30,7 @@ class Neighbours(NamedTuple):
 
 
 class Mounted(NamedTuple):
-    """An entity that another one carries: at which of its sites, and whether it can turn there."""
+    """An entity mounted on another: the carrying site, and whether it is welded."""
 
     name: str
     site: str
@@ -42,7 +42,7 @@ def placed(
     paths: Sequence[tuple[Connection, Sequence[Stop]]],
     builder: Builder,
 ) -> Builder:
-    """The builder with all entities built in it, each where its connections want it, those that carry others first.
+    """Return the builder with all entities built at the positions that their connections require, carriers first.
 
     `paths` are the connections, each with its stops in the order of travel.
     """
@@ -69,7 +69,7 @@ def placed(
 
 
 def _check_sites(path: Sequence[Stop], alone: Mapping[str, Builder]) -> None:
-    """Refuse a stop at an optional part that its entity does not have; SceneError."""
+    """Raise SceneError for a stop at an optional part that its entity does not have."""
     for stop in path:
         known = alone.get(_owner(stop.owner))
         if known is not None and any(site not in known.faces for site in stop.sites):
@@ -78,7 +78,7 @@ def _check_sites(path: Sequence[Stop], alone: Mapping[str, Builder]) -> None:
 
 
 def _mount(entities: Mapping[str, Named], mounted: Mapping[str, Mounted], builder: Builder) -> None:
-    """Build what is carried, once what carries it is there."""
+    """Build the mounted entities after their carriers."""
     waiting = list(mounted.values())
     while waiting:
         ready = [each for each in waiting if _owner(each.site) not in {other.name for other in waiting}]
@@ -94,7 +94,7 @@ def _owner(site: str) -> str:
 
 
 def _pairs(stops: Sequence[Stop], spacing: float) -> list[Neighbours]:
-    """Neighbouring sites of different entities along a path: where it leaves one and reaches the next."""
+    """Return the neighbouring sites of different entities along a path."""
     found: list[Neighbours] = []
     for one, other in pairwise(stops):
         leaves, reaches = one.sites[-1], _first(other)
@@ -104,12 +104,12 @@ def _pairs(stops: Sequence[Stop], spacing: float) -> list[Neighbours]:
 
 
 def _first(stop: Stop) -> str:
-    """Return the site that a connection reaches first: an end is listed from the inside out, so its last."""
+    """Return the site that a connection reaches first; those of an end are listed from the inside out."""
     return stop.sites[-1] if isinstance(stop.port, StringEnd) else stop.sites[0]
 
 
 def _align(pairs: list[Neighbours], offsets: dict[str, Vector], alone: Mapping[str, Builder]) -> None:
-    """Shift entities, outwards from the first, so that what faces each other does so on one line."""
+    """Shift entities, outwards from the first, so that facing sites lie on one line."""
     done: set[str] = set()
     both = [*pairs, *(Neighbours(pair.other, pair.one, pair.spacing) for pair in pairs)]
     for first in alone:  # each tree of the forest from its first entity on

@@ -1,7 +1,7 @@
-"""What is plausible: the sizes of the numbers that a text states, of answers, and of what follows from several numbers.
+"""Plausible ranges of stated numbers, of answers, and of combinations of numbers.
 
-A number outside its range is no error of physics, but no textbook would print it. Ranges are of absolute values, and
-zero is always plausible. What stands in no table is not judged.
+A number outside its range is physically valid, but unusual in a textbook. Ranges are of absolute values, and
+zero is always plausible. Numbers without a range are not judged.
 """
 
 from collections.abc import Iterator, Mapping
@@ -12,7 +12,7 @@ from sim2reason.scenes.dsl.mechanism import Elastic, Mechanism
 from sim2reason.scenes.dsl.scene import Scene
 
 Span = tuple[float, float]
-"""The least and the greatest plausible size."""
+"""The least and the greatest plausible absolute value."""
 
 STATED: Mapping[tuple[str, str], Span] = {
     # name and unit of a measure
@@ -108,17 +108,17 @@ DENSITIES: Mapping[Matter, Span] = {
     "solid": (100.0, 12000.0),  # kg/m³: from cork to lead
     "planet": (800.0, 6000.0),  # from ice to rock rich in iron
 }
-PLANET = 1e-3  # of the mass of its star: of a heavier planet the star would not stay where it is
+PLANET = 1e-3  # fraction of the mass of its star: a heavier planet would move the star noticeably
 STRETCH: Span = (0.5, 1.5)  # of the natural length of a spring
 
 
 def outside(value: float, span: Span) -> bool:
-    """Tell whether a size lies outside a range; zero never does."""
+    """Return whether an absolute value lies outside a range; zero never does."""
     return value != 0.0 and not span[0] <= abs(value) <= span[1]
 
 
 def implausible_numbers(scene: Scene) -> Iterator[str]:
-    """Yield what is not plausible about the numbers that a scene states, in words, with addresses."""
+    """Yield a message with address for each implausible number of a scene."""
     for parameter in scene.parameters:
         span = STATED.get((parameter.measure.name, parameter.measure.unit))
         if parameter.value is None or parameter.hidden or span is None:
@@ -147,7 +147,7 @@ def natural_lengths(scene: Scene) -> dict[str, float]:
 
 
 def strained(natural: Mapping[str, float], mechanism: Mechanism, lengths: Mapping[str, Span]) -> Iterator[str]:
-    """Yield which springs of known natural lengths, m, are too short or too long at some time, in words.
+    """Yield a message for each spring that becomes too short or too long, given natural lengths and ranges, m.
 
     `lengths` are the least and the greatest length that each has, m. A spring that only pushes may be left behind, and
     a cord that only pulls may go slack.

@@ -1,4 +1,4 @@
-"""What a number means: its unit, its symbol, how it is spoken, where it is drawn from.
+"""The meaning of a number: unit, symbol, wording and range of random values.
 
 One line declares a number; validation, sampling, prose, symbols and the schema read it:
 
@@ -212,7 +212,7 @@ class Measure:
         return self.called or ("angle" if self.unit == "deg" else self.name)
 
     def of(self, owner: object) -> "Measure":
-        """Return this measure as it applies to an owner: with the symbol and name of `beside` if its field is given."""
+        """Return this measure for an owner: with the symbol and name of `beside` if its field is given."""
         beside = self.beside
         if beside is None or getattr(owner, beside.field, None) is None:
             return self
@@ -232,7 +232,7 @@ class Measure:
         return round(value, min(self.places(value), digits)) + 0.0
 
     def say(self, value: float) -> str:
-        """Return a value with its unit as texts have it, ``2.0 kg`` or ``30°``, with a true minus sign."""
+        """Return a value with its unit as in texts, ``2.0 kg`` or ``30°``, with a true minus sign."""
         if value == 0.0:
             return join_unit("0", self.unit)
         rounded = round(value, self.places(value))
@@ -246,7 +246,7 @@ class Measure:
         return min(max(self.round(float(rng.uniform(low, high))), low), high)
 
 
-FAINT, VAST = 1e-5, 1e7  # what is smaller, or at least as large, is told with a power of ten
+FAINT, VAST = 1e-5, 1e7  # smaller or larger numbers are written with a power of ten
 
 
 def in_powers(value: float, unit: str) -> str:
@@ -270,7 +270,7 @@ def join_unit(number: str, unit: str) -> str:
     return number + shown if shown in ("", "°") else f"{number} {shown}"
 
 
-LEAST = Ge(1e-6)  # of what must be greater than zero: less is a slip of the pen, and lost beside a kilogram in engines
+LEAST = Ge(1e-6)  # bound of positive numbers: smaller ones are typing errors, lost beside a kilogram in engines
 FASTEST = 3e7  # m/s, a tenth of the speed of light, up to which Newton's laws are good to a percent
 Mass = Annotated[float, LEAST, Le(1e9), Measure("mass", "kg", "m"), Range(0.5, 10.0)]
 Angle = Annotated[float, Ge(0), Lt(90), Measure("angle", "deg", r"\theta", decimals=0), Range(10.0, 70.0)]

@@ -1,4 +1,4 @@
-"""What an engine simulates: a frozen, engine-neutral value of bodies, lines, faces, forces and meetings.
+"""The engine-independent model of a scene: bodies, lines, faces, forces and collision pairs.
 
 At the start of the motion the axes of every body's frame are those of the room: x to the right, y away from the
 reader, z up. All numbers are in one coherent system of units, SI unless `units` says otherwise, angles in radians.
@@ -23,38 +23,38 @@ GRAVITY = 9.8
 
 @record(slots=True)
 class Coordinate:
-    """One way in which a body may move relative to its parent, zero at the start of the motion."""
+    """A generalized coordinate of a body relative to its parent, zero at the start of the motion."""
 
     name: str
     body: str
-    label: str  # what tells it from the others of its body: slide, hinge, x
+    label: str  # distinguishes the coordinates of a body: slide, hinge, x
     kind: Literal["slide", "hinge"]
-    axis: Vector  # unit vector in the parent's frame; a hinge turns right-handed about it
+    axis: Vector  # unit vector in the parent's frame; a hinge rotates right-handed about it
     speed: float = 0.0  # at the start: m/s, or rad/s for a hinge
-    lower: float = -inf  # travel limits; reaching one ends the motion that is described
+    lower: float = -inf  # travel limits; reaching one ends the motion
     upper: float = inf
-    stated: tuple[str, float] | None = None  # the axis of the text that it runs along, and where on it the body starts
+    stated: tuple[str, float] | None = None  # the axis of the text along this coordinate, and the initial value
 
 
 @record(slots=True)
 class RigidBody:
-    """A rigid body; its parent's frame carries it. Mass 0 means massless.
+    """A rigid body in the frame of its parent. Mass 0 means massless.
 
     Its coordinates act one after the other: slides move the frame's origin, hinges turn about axes through it.
     """
 
     name: str
     parent: str | None  # None: the room
-    at: Vector  # of its frame's origin in the parent's frame at the start
+    at: Vector  # origin of its frame in the parent's frame at the start
     mass: float = 0.0
-    center: Vector = ZERO  # of mass, in its own frame
+    center: Vector = ZERO  # centre of mass, in its own frame
     inertia: Tensor = NO_INERTIA  # about its centre of mass, in its own frame, kg m²
     coordinates: tuple[Coordinate, ...] = ()  # none: welded to the parent
 
 
 @record(slots=True)
 class Face:
-    """A face of its parent on which a body lies: the body may slide or roll along it and presses on it.
+    """A contact of a body with a face of its parent, along which it may slide or roll.
 
     The velocity with which the two surfaces slip is Σ factor · rate over `slip`; friction acts against it.
     """
@@ -62,10 +62,10 @@ class Face:
     subject: str  # the body that lies on its parent
     normal: Vector  # unit vector, out of the face; in the parent's frame, or in the body's own if it is `turning`
     slip: tuple[tuple[str, float], ...]  # (coordinate, factor)
-    friction: float = 0.0  # the coefficient of kinetic friction; infinite: it never slips
+    friction: float = 0.0  # coefficient of kinetic friction; infinite: it never slips
     turning: bool = False  # the face is curved: its normal turns with the body
-    guided: bool = False  # it holds the body both ways, so that the normal force may have either sign
-    static_ratio: float = 1.0  # of the coefficient of static friction to that of kinetic friction, at least 1
+    guided: bool = False  # the face holds the body in both directions, so that the normal force may have either sign
+    static_ratio: float = 1.0  # ratio of the coefficients of static and kinetic friction, at least 1
 
     @property
     def static_friction(self) -> float:
@@ -84,7 +84,7 @@ class Site:
 
 @record(slots=True)
 class Wheel:
-    """A line's grip on a massive pulley: its free length changes by `radius` times the pulley's angle."""
+    """The rotation of a massive pulley by a line, whose free length changes by `radius` times the angle."""
 
     coordinate: str
     radius: float  # signed, in metres
@@ -92,33 +92,34 @@ class Wheel:
 
 @record(slots=True)
 class Inextensible:
-    """A string: its length may not exceed that at the start + `slack` − `reel`·t; it pulls or is slack."""
+    """The law of a string: its length is at most the initial one + `slack` − `reel`·t; it pulls or is slack."""
 
-    row: ClassVar[str] = "string"  # what an equation that it gives is called; empty where it gives a force
+    row: ClassVar[str] = "string"  # kind of the constraint row; empty for a law that gives a force
 
-    slack: float = 0.0  # m to spare at the start
-    reel: float = 0.0  # m/s at which it is taken in
+    slack: float = 0.0  # m, initial slack
+    reel: float = 0.0  # m/s at which it is pulled in
 
 
 @record(slots=True)
 class Rigid:
-    """A light rod: its length never changes; it pulls or pushes."""
+    """The law of a light rod: its length never changes; it pulls or pushes."""
 
     row: ClassVar[str] = "rod"
 
 
 @record(slots=True)
 class Prop:
-    """A light strut that may be left: its length may not fall below that at the start; it pushes or is idle."""
+    """The law of a light strut: its length is at least the initial one; it pushes or is idle."""
 
     row: ClassVar[str] = "prop"
 
 
 @record(slots=True)
 class Elastic:
-    """A light spring: its tension is stiffness·(length − natural length) + damping·rate.
+    """The law of a light spring: its tension is stiffness·(length − natural length) + damping·rate.
 
-    One that only pushes is a buffer, that may be left; one that only pulls is an elastic cord, that may go slack.
+    One that only pushes is a buffer, which bodies may leave; one that only pulls is an elastic cord, which may go
+    slack.
     """
 
     row: ClassVar[str] = ""
@@ -130,13 +131,13 @@ class Elastic:
 
     @property
     def side(self) -> float:
-        """Return the sign of the extension at which it acts; 0 for any."""
+        """Return the sign of the extension at which the spring acts; 0 for both."""
         return {"both": 0.0, "pushes": -1.0, "pulls": 1.0}[self.acts]
 
 
 @record(slots=True)
 class ConstantTension:
-    """A string drawn in with a constant force, its tension."""
+    """The law of a string pulled with a constant force, its tension."""
 
     row: ClassVar[str] = ""
 
@@ -152,7 +153,7 @@ class Line:
 
     Its length is the sum of the distances between consecutive sites + Σ radius·angle over its wheels. A line that
     passes a massive pulley is several of these, one for each part, all with the same `whole`. One along a circle joins
-    two bodies that turn about its centre: they are its wheels, and its fixed sites stand apart by its length at first.
+    two bodies that turn about its centre: they are its wheels, and its fixed sites have its initial length as distance.
     """
 
     name: str
@@ -160,12 +161,12 @@ class Line:
     through: tuple[str, ...]  # site names, from end to end
     wheels: tuple[Wheel, ...] = ()
     law: LineLaw = Inextensible()
-    circle: tuple[str, str] | None = None  # the bodies that it joins, if it lies along a circle, counter-clockwise
+    circle: tuple[str, str] | None = None  # the bodies joined by a line along a circle, counter-clockwise
 
 
 @record(slots=True)
 class Force:
-    """A force on a body at its centre of mass, by a law of place, velocity and time; in a region or everywhere."""
+    """A force on a body at its centre of mass by a law, in a region or everywhere."""
 
     name: str
     body: str
@@ -175,17 +176,17 @@ class Force:
 
 @record(slots=True)
 class Attraction:
-    """Two bodies attract each other with `constant`·m·m′/rᵖ between their centres of mass."""
+    """A pair of bodies that attract each other with `constant`·m·m′/rᵖ between their centres of mass."""
 
     a: str
     b: str
-    constant: float  # of gravitation
+    constant: float  # gravitational constant
     power: float = 2.0
 
 
 @record(slots=True)
 class Burn:
-    """A body that ejects mass backwards: thrust rate·exhaust along `direction` until a time."""
+    """The ejection of mass by a body: thrust rate·exhaust along `direction` until a time."""
 
     body: str
     rate: float  # kg/s
@@ -196,7 +197,7 @@ class Burn:
 
 @record(slots=True)
 class Foot:
-    """A point of a body that may stand on a plane of the room: it does not go through it, nor slips while it stands."""
+    """A point of a body that may stand on a plane of the room, without penetration or slip."""
 
     name: str
     site: str
@@ -207,14 +208,14 @@ class Foot:
 
 @record(slots=True)
 class Meeting:
-    """Two bodies that bounce when they touch: their centres within `distance`, along `normal` if there is one."""
+    """A pair of bodies that collide: at centre distance `distance`, along `normal` if it is given."""
 
     a: str | None  # None: the room, at its origin
     b: str
     distance: float  # m
     restitution: float  # ratio of normal relative speeds, 0 to 1
     normal: Vector | None = None  # of flat faces: the gap is n·(b − a) − distance
-    sticks: bool = False  # they stay together once they have met
+    sticks: bool = False  # whether they stay together after the collision
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -224,7 +225,7 @@ class Meeting:
 
 @record()
 class Mechanism(Memo):
-    """Bodies, lines, faces and forces with all numbers that an engine needs.
+    """The engine-independent model of a scene: bodies, lines, contacts and forces with all numbers.
 
     All numbers are in the coherent units `units`, the SI by default; angles are in radians. At the start the axes of
     all frames are those of the room: x to the right, y away from the reader, z up.
@@ -325,7 +326,7 @@ class Mechanism(Memo):
 
     @cached_property
     def constraints(self) -> tuple[Line, ...]:
-        """Return the lines that give equations rather than forces."""
+        """Return the lines that give constraint equations rather than forces."""
         return tuple(line for line in self.lines if line.law.row)
 
     @cached_property
@@ -335,7 +336,7 @@ class Mechanism(Memo):
 
     @cached_property
     def pulls(self) -> tuple[Line, ...]:
-        """Return the lines that are drawn in with a constant tension."""
+        """Return the lines that are pulled with a constant tension."""
         return tuple(line for line in self.lines if isinstance(line.law, ConstantTension))
 
     @cached_property

@@ -1,4 +1,4 @@
-"""Frozen values with declared parameters and bounds: how they are walked, changed and drawn at random."""
+"""Immutable values with declared parameters and bounds, and functions to traverse, change and draw them at random."""
 
 import types
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -17,7 +17,7 @@ from sim2reason.scenes.dsl.relations import relations, unfitting
 
 
 def bounds(metadata: Iterable[object]) -> tuple[float, float]:
-    """Return the least and the greatest float that all of the bounds in an annotation's metadata allow."""
+    """Return the least and the greatest float that satisfy all bounds in an annotation's metadata."""
     least, most = -inf, inf
     for bound in metadata:
         if isinstance(bound, Ge):
@@ -32,7 +32,7 @@ def bounds(metadata: Iterable[object]) -> tuple[float, float]:
 
 
 class Model(BaseModel):
-    """The base of bodies, parts, entities and scenes: frozen, strict, without unknown fields or infinities."""
+    """The base class of bodies, parts, entities and scenes: immutable, strict, without unknown fields or infinities."""
 
     model_config = ConfigDict(
         frozen=True,
@@ -45,21 +45,21 @@ class Model(BaseModel):
 
     @classmethod
     def variants(cls) -> "tuple[type[Model], ...]":
-        """What a field of this type may hold: this class; an open base says which classes are registered under it."""
+        """Return the classes that a field of this type may hold: this class, or those registered under an open base."""
         return (cls,)
 
     @classmethod
     def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
-        """Values to take in place of some that were `drawn`, where no range of a single one says what fits together.
+        """Return replacements of drawn values that do not fit together.
 
-        None by default. What a recipe has chosen stays as it is.
+        None by default. Values chosen by a recipe are kept.
         """
         del drawn, rng
         return {}
 
     @model_validator(mode="after")
     def _relations_hold(self) -> Self:
-        """Counts that follow from other fields do, and indices lead to members; ValueError says which does not."""
+        """Raise ValueError if a count or an index contradicts another field."""
         broken = unfitting(self, relations(type(self), field_types))
         if broken:
             raise ValueError(broken)
@@ -71,7 +71,7 @@ M = TypeVar("M", bound=Model)
 
 @record(slots=True)
 class Parameter:
-    """One declared number of a value: its address, what it is (None: absent), what it means, if it may be negative."""
+    """One declared number of a value: address, value (None: absent), measure, and whether it may be negative."""
 
     path: str
     value: float | None
@@ -82,7 +82,7 @@ class Parameter:
 
 @record(slots=True)
 class FieldType:
-    """A field's annotation taken apart once: `models` are the classes that it may hold."""
+    """The analysed annotation of a field: `models` are the classes that it may hold."""
 
     measure: Measure | None
     drawn: Range | None
@@ -91,17 +91,17 @@ class FieldType:
     optional: bool
     models: tuple[type[Model], ...]
     words: tuple[str, ...]  # of a Literal
-    member: str = ""  # the field whose members it counts, of an index
-    size: Callable[[Mapping[str, Any]], int] | None = None  # how many members it has, where other fields demand it
-    chance: float | None = None  # of something optional to be drawn
-    above: str = ""  # the field whose number is less, of a number that must be greater
-    usual: bool | None = None  # whether it is drawn, where no random number decides
-    least: float = -inf  # that is allowed
+    member: str = ""  # the field whose members an index counts
+    size: Callable[[Mapping[str, Any]], int] | None = None  # number of members, if other fields determine it
+    chance: float | None = None  # probability of an optional field
+    above: str = ""  # the field whose number must be less than this one
+    usual: bool | None = None  # whether it is drawn if no random number decides
+    least: float = -inf  # least allowed value
     most: float = inf
 
 
 def _flatten(annotation: Any) -> Iterator[Any]:  # annotations are untyped by nature
-    """Yield the leaves and metadata of an annotation, looking into Annotated, unions and variable-length tuples."""
+    """Yield the leaves and metadata of an annotation, including those of Annotated, unions and tuples."""
     origin = get_origin(annotation)
     if origin is Annotated:
         first, *metadata = get_args(annotation)
@@ -148,7 +148,7 @@ def field_types(model: type[Model]) -> dict[str, FieldType]:
 
 
 def as_said(model: type[Model], name: str, value: float) -> float:
-    """Return a value rounded as the text will say that field of a class, so that what is said is what is simulated."""
+    """Return a value rounded as the text states that field, so that the stated value is simulated."""
     measure = field_types(model)[name].measure
     return measure.round(value) if measure is not None else value
 
@@ -170,19 +170,20 @@ def parameters(value: Model, prefix: str = "") -> Iterator[Parameter]:
 REDRAWS = 20
 Choice = Range | Count | tuple[str, ...] | float | int | bool | None
 Choices = Mapping[str, Choice]
-"""How a recipe narrows a draw, by field name or by the name of a measure: a `Range` or `Count` to draw from,
-a tuple of class names to pick a part from, or of words (one named twice is picked twice as often), a fixed value, or
-a chance between 0 and 1 that an optional thing is there."""
+"""Restrictions of a draw by a recipe, by field or measure name: a `Range` or `Count` to draw from, a tuple of class
+names or words to select from (duplicates double the probability), a fixed value, or the probability of an optional
+field.
+"""
 
 
 def draw(model: type[M], rng: np.random.Generator, choices: Choices, given: Mapping[str, object] | None = None) -> M:
-    """A random value of a model class, but for the fields `given`; every number is rounded to what will be spoken.
+    """Return a random value of a model class with the fields `given`; numbers are rounded as texts state them.
 
-    `choices` overrides what the class declares, by ``Class.field``, field or measure name, the most special first.
-    What the class's own validators refuse is drawn again.
+    `choices` overrides the declarations of the class, by ``Class.field``, field or measure name, most specific first.
+    Values that validators reject are drawn again.
 
     Raises:
-        SceneError: a number has no range, or nothing valid was drawn within the budget.
+        SceneError: a number has no range, or no valid value was drawn within the budget.
     """
     return _accepted(model, rng, choices, given or {}, {})
 
@@ -190,7 +191,7 @@ def draw(model: type[M], rng: np.random.Generator, choices: Choices, given: Mapp
 def _accepted(
     model: type[M], rng: np.random.Generator, choices: Choices, given: Mapping[str, object], around: Mapping[str, Any]
 ) -> M:
-    """Return a value that its validators accept; `around` has what was drawn of whatever will hold it."""
+    """Return a value that its validators accept; `around` has the values drawn for its container so far."""
     refused = ""
     for _ in range(REDRAWS):
         try:
@@ -216,7 +217,7 @@ def _drawn(
 
 
 def _is_there(model: type[Model], name: str, rng: np.random.Generator, choices: Choices) -> bool:
-    """Return whether to draw a field that a model can leave out, by the recipe's choice, the field's mark or chance."""
+    """Return whether to draw an optional field, by the recipe's choice, the field's mark or probability."""
     kind = field_types(model)[name]
     chance = _choice(choices, f"{model.__name__}.{name}?", f"{name}?")
     if chance is None and kind.usual is not None:
@@ -231,14 +232,14 @@ def _is_there(model: type[Model], name: str, rng: np.random.Generator, choices: 
 def _kept(
     model: type[Model], fitted: Mapping[str, object], choices: Choices, given: Mapping[str, object]
 ) -> dict[str, object]:
-    """Return what was fitted, without what was given or chosen; how many there are is no choice of what they are."""
+    """Return the fitted values except those that were given or chosen by the recipe."""
     types, free = field_types(model), fitted.keys() - given.keys()
     chosen = {name: _chosen(model, name, types[name], choices) for name in free}
     return {name: fitted[name] for name in fitted if name in free and isinstance(chosen[name], Count | None)}
 
 
 def _chosen(model: type[Model], name: str, kind: FieldType, choices: Choices) -> Choice:
-    """Return what a recipe has chosen for a field."""
+    """Return the recipe's choice for a field."""
     return _choice(choices, f"{model.__name__}.{name}", name, *((kind.measure.name,) if kind.measure else ()))
 
 
@@ -249,7 +250,7 @@ def _choice(choices: Choices, *names: str) -> Choice:
 def _draw_field(
     model: type[Model], name: str, rng: np.random.Generator, choices: Choices, known: Mapping[str, Any]
 ) -> object:
-    """Return a value for a field, with what is `known` of the fields before it."""
+    """Return a random value for a field, given the `known` values of earlier fields."""
     kind = field_types(model)[name]
     picks = _chosen(model, name, kind, choices)
     if kind.measure is not None:
@@ -281,6 +282,6 @@ def _draw_field(
 
 
 def rebuilt(value: M, **fields: object) -> M:
-    """Return the same value with some fields replaced, validated again."""
+    """Return a copy with some fields replaced, validated again."""
     held = {name: getattr(value, name) for name in type(value).model_fields}
     return type(value)(**{**held, **fields})

@@ -1,7 +1,7 @@
-"""Where connections can be joined to an entity, or led through it, and in which words.
+"""Ports of an entity, at which connections join it or pass through it, with their clauses.
 
-A string's clauses are verb phrases whose subject is the string, but for `tied`, which names what it is tied to. Sites
-are listed from the inside out; where a string must go from the last one is said by the site itself.
+A string's clauses are verb phrases with the string as subject, except `tied`, which names the body it is tied to.
+Sites are listed from the inside out; a site declares the direction in which a string must leave it.
 """
 
 from dataclasses import dataclass, field
@@ -10,7 +10,7 @@ from functools import lru_cache
 
 @dataclass(frozen=True, kw_only=True)
 class Port:
-    """The base of ports. Each kind of connection joins one type of port.
+    """The base class of ports. Each kind of connection joins one type of port.
 
     Attributes:
         name: Name of the class attribute that is the port.
@@ -20,9 +20,9 @@ class Port:
     """
 
     name: str = field(default="", init=False, compare=False)
-    required: bool = False  # left open, it would change what the text says
-    unless: str = ""  # the field of its entity that, where it is there, takes the port's place
-    needs: str = ""  # the optional field of its entity that is given where the port is used, and only there
+    required: bool = False  # whether an open port would change the meaning of the text
+    unless: str = ""  # the field of its entity that replaces the port if it is present
+    needs: str = ""  # the optional field of its entity that is given if and only if the port is connected
 
     def __set_name__(self, owner: type, name: str) -> None:
         """Store the name of the attribute."""
@@ -142,7 +142,7 @@ class Pass(SitePort, StringPort):
 
 @dataclass(frozen=True, kw_only=True)
 class Chain(StringPort):
-    """A port for a string that consists of other ports: an end, and what the string passes on its way out.
+    """A port for a string that consists of other ports: an end, and the pulleys that the string passes.
 
     Attributes:
         stops: Names of the other ports, from the inside out.
@@ -210,17 +210,17 @@ class Stop:
 
     @property
     def sites(self) -> tuple[str, ...]:
-        """Return full site addresses in the order of travel; an end is listed from the inside out."""
+        """Return the full site addresses in the order of travel; those of an end from the inside out."""
         return _addressed(self.owner, self.port.sites, self.flipped)
 
 
 def reversed_stops(stops: list[Stop]) -> list[Stop]:
-    """Return the stops in the opposite order of travel; a pass within a chain is then passed from its far side."""
+    """Return the stops in the opposite order of travel; passes within a chain are flipped."""
     return [Stop(s.owner, s.port, not s.flipped if isinstance(s.port, Pass) else s.flipped) for s in reversed(stops)]
 
 
 def travelled(stops: list[Stop]) -> list[Stop]:
-    """Return the stops of an inner rope in the order of travel; the last port was listed from the inside out."""
+    """Return the stops of an inner rope in the order of travel; its last port was listed from the inside out."""
     if not isinstance(stops[-1].port, StringEnd):
         inner = next(i for i, stop in enumerate(stops) if i > 0 and isinstance(stop.port, StringEnd | Chain))
         return [*stops[:inner], *reversed_stops(stops[inner:])]

@@ -1,4 +1,4 @@
-"""Relations between fields: counts that follow from others, numbers that must exceed others, indices of members."""
+"""Relations between fields: dependent counts, ordered numbers, and indices of members."""
 
 from collections.abc import Callable, Mapping
 from functools import cache
@@ -6,16 +6,16 @@ from typing import Any, NamedTuple, Protocol
 
 
 class Related(Protocol):
-    """What of a field relates it to others; `sim2reason.scenes.dsl.model.FieldType` says more."""
+    """The relations of a field to others, a part of `sim2reason.scenes.dsl.model.FieldType`."""
 
     @property
     def models(self) -> tuple[type[Any], ...]:
-        """The classes of models that it may hold."""
+        """Return the classes of models that the field may hold."""
         ...
 
     @property
     def member(self) -> str:
-        """The field whose members it counts, if it is an index."""
+        """Return the field whose members an index counts; empty if it is no index."""
         ...
 
     @property
@@ -25,21 +25,21 @@ class Related(Protocol):
 
     @property
     def size(self) -> Callable[[Mapping[str, Any]], int] | None:
-        """Return how many members it has, where other fields demand it."""
+        """Return the function for the number of members, if other fields determine it."""
         ...
 
 
 class Relations(NamedTuple):
-    """Those of one class: fields with the number of members that others demand; indices with the field they lead to."""
+    """The relations of one class: fields with dependent counts, ordered numbers, and indices with their targets."""
 
     sizes: tuple[tuple[str, Callable[[Mapping[str, Any]], int]], ...]
-    greater: tuple[tuple[str, str], ...]  # a field, and the one whose number is less
-    indices: tuple[tuple[str, str, str], ...]  # the field that holds it (none for an own one), its name, where it leads
+    greater: tuple[tuple[str, str], ...]  # a field, and the one with the smaller number
+    indices: tuple[tuple[str, str, str], ...]  # the field with the index (empty for an own one), its name, its target
 
 
 @cache
 def relations(model: type[Any], types: Callable[[type[Any]], Mapping[str, Related]]) -> Relations:
-    """Return the relations that a class of models declares; `types` takes its fields apart."""
+    """Return the relations that a class of models declares; `types` analyses its fields."""
     kinds = types(model)
     own = [("", name, kind.member) for name, kind in kinds.items() if kind.member in kinds]
     inner = [
@@ -55,7 +55,7 @@ def relations(model: type[Any], types: Callable[[type[Any]], Mapping[str, Relate
 
 
 def unfitting(value: Any, declared: Relations) -> str:
-    """Return which relation a value does not keep to, and how; empty if it keeps to all."""
+    """Return a message for a violated relation of a value; empty if all hold."""
     for name, demanded in declared.sizes:
         found, wanted = len(getattr(value, name)), demanded(value.__dict__)
         if found != wanted:

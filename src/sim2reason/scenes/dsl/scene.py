@@ -1,4 +1,4 @@
-"""Scenes: entities, connections and a world, as one frozen value."""
+"""Scenes: entities, connections and a world, as one immutable value."""
 
 from collections.abc import Mapping
 from typing import Any, Self, cast
@@ -25,13 +25,13 @@ MAX_ENTITIES = 8
 
 
 class World(Model):
-    """What acts on everything."""
+    """The surroundings of a scene: its gravity."""
 
     gravity: Gravity = GRAVITY
 
 
 class Scene(Model):
-    """Entities by name, the connections between their ports, and the world.
+    """A physical system: named entities, the connections between their ports, and the world.
 
     A scene is immutable, and checked when it is made. Numbers, bodies and connections have addresses, such as
     ``ramp.block.mass``, which `value`, `having` and `without` take.

@@ -18,16 +18,16 @@ from sim2reason.scenes.dsl.template import Word
 from sim2reason.scenes.dsl.vectors import Tensor, Vector, add, inner, outer, scale, unit
 
 Axes = tuple[Vector, Vector, Vector]
-"""How a figure is turned: where its own x, y and z axes point, unit vectors at right angles."""
+"""The orientation of a figure: directions of its own x, y and z axes, orthogonal unit vectors."""
 
 UPRIGHT: Axes = (X, Y, Z)
-OVERTURNED: Axes = (X, (0.0, -1.0, 0.0), (0.0, 0.0, -1.0))  # by half a turn about x
-PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))  # the entries of a symmetric tensor, in their order
+OVERTURNED: Axes = (X, (0.0, -1.0, 0.0), (0.0, 0.0, -1.0))  # rotated by half a turn about x
+PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))  # the entries of a symmetric tensor, in order
 
 
 @dataclass(frozen=True, slots=True)
 class Solid:
-    """A uniform figure: a solid, a surface or a line, so that its size is a volume, an area or a length."""
+    """A uniform figure (solid, surface or line); its size is a volume, an area or a length."""
 
     size: float  # m³, m² or m
     center: Vector  # its centroid, m
@@ -39,11 +39,11 @@ class Solid:
         return (yy + zz, xx + zz, xx + yy, -xy, -xz, -yz)
 
     def moved(self, by: Vector) -> "Solid":
-        """Return the same figure elsewhere."""
+        """Return the figure translated by a vector, m."""
         return Solid(self.size, add(self.center, by), self.second)
 
     def turned(self, axes: Axes) -> "Solid":
-        """Return the same figure turned about the origin."""
+        """Return the figure rotated about the origin."""
         entries = [(i, j, part) for (i, j), part in zip(PAIRS, self.second, strict=True)]
         both = [*entries, *((j, i, part) for i, j, part in entries if i != j)]
         xx, yy, zz, xy, xz, yz = (sum(part * axes[i][p] * axes[j][q] for i, j, part in both) for p, q in PAIRS)
@@ -51,7 +51,7 @@ class Solid:
         return Solid(self.size, center, (xx, yy, zz, xy, xz, yz))
 
     def __add__(self, other: "Solid") -> "Solid":
-        """Return both figures as one, of the same density."""
+        """Return the union of two figures of the same density."""
         size = self.size + other.size
         if size == 0.0:
             return NOTHING
@@ -62,12 +62,12 @@ class Solid:
         return Solid(size, add(self.center, scale(other.size / size, apart)), (xx, yy, zz, xy, xz, yz))
 
     def __neg__(self) -> "Solid":
-        """Return the figure as a hole."""
+        """Return the figure with negative density, as a hole."""
         xx, yy, zz, xy, xz, yz = self.second
         return Solid(-self.size, self.center, (-xx, -yy, -zz, -xy, -xz, -yz))
 
     def __sub__(self, other: "Solid") -> "Solid":
-        """Return the first figure with the second, which lies in it, cut out."""
+        """Return the first figure without the second, which lies inside it."""
         return self + (-other)
 
 
@@ -76,26 +76,26 @@ NOTHING = Solid(0.0, ZERO, (0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
 
 @lru_cache(maxsize=64)
 def axes_along(axis: Vector) -> Axes:
-    """Axes of which z points along a unit vector; for figures that are round about z it does not matter how x does."""
+    """Return axes with z along a unit vector; the direction of x is arbitrary."""
     aside = X if abs(axis[0]) < 0.7 else Z
     across = unit(outer(aside, axis))
     return (outer(across, axis), across, axis)
 
 
 def composed(axes: Axes, then: Axes) -> Axes:
-    """Return how a figure is turned that is turned twice."""
+    """Return the orientation after two successive rotations."""
     x, y, z = (add(*(scale(part, image) for part, image in zip(axis, then, strict=True))) for axis in axes)
     return (x, y, z)
 
 
 def transposed(axes: Axes) -> Axes:
-    """Return how a figure is turned back that was turned so."""
+    """Return the inverse orientation."""
     x, y, z = zip(*axes, strict=True)
     return (x, y, z)
 
 
 def seen(way: Vector, axes: Axes) -> Vector:
-    """Return a direction in the own axes of a figure that is turned."""
+    """Return a direction in the own axes of a rotated figure."""
     return (inner(way, axes[0]), inner(way, axes[1]), inner(way, axes[2]))
 
 
@@ -108,7 +108,7 @@ def _even(size: float, xx: float, yy: float, zz: float, height: float = 0.0) -> 
 
 
 def point() -> Solid:
-    """Something without extent."""
+    """Return a point mass without extent."""
     return _even(1.0, 0.0, 0.0, 0.0)
 
 
@@ -166,12 +166,12 @@ def _polygon_area(sides: int, radius: float) -> float:
 
 
 def _polygon_square(sides: int, radius: float) -> float:
-    """⟨x²⟩ = ⟨y²⟩ by symmetry, for n ≥ 3: each of the n triangles has ⟨ρ²⟩ = r²(2 + cos 2π/n)/6 about the axis."""
+    """Return ⟨x²⟩ = ⟨y²⟩ in m², for n ≥ 3: each of the n triangles has ⟨ρ²⟩ = r²(2 + cos 2π/n)/6 about the axis."""
     return radius**2 * (2.0 + cos(2.0 * pi / sides)) / 12.0
 
 
 def segment(radius: float, height: float) -> Solid:
-    """Return the part of a ball on one side of a plane: its flat face lies at z = 0, its pole at z = `height` ≤ 2r.
+    """Return the segment of a ball with its flat face at z = 0 and its pole at z = `height` ≤ 2r.
 
     At a depth u below the pole the cross-section has the radius √(u(2r − u)); all moments are polynomials of h.
     """
@@ -186,7 +186,7 @@ def segment(radius: float, height: float) -> Solid:
 
 
 def lens(radius: float, other: float, distance: float) -> Solid:
-    """Return what two balls share: one of `radius` about the origin, one of radius `other` about z = `distance` ≥ 0."""
+    """Return the intersection of two balls: `radius` about the origin, radius `other` about z = `distance` ≥ 0."""
     if distance >= radius + other:
         return NOTHING
     if distance + other <= radius:
@@ -207,38 +207,38 @@ Thickness = Annotated[float, LEAST, SMALL, Measure("thickness", "m", "t"), Range
 Extent = Annotated[float, LEAST, SMALL, Measure("height", "m", "h"), Range(0.05, 0.3)]
 
 Overlooked = Literal["hole", "wall", "section", "height"]
-"""A hole, the thickness of a wall, what makes a bar or cylinder more than a thin rod, or more than a thin disc."""
+"""A simplification of a shape: no hole, a thin wall, a thin rod (no section) or a thin disc (no height)."""
 
 
-DRAWN = Range(150.0, 9000.0)  # kg/m³, of what is drawn
+DRAWN = Range(150.0, 9000.0)  # kg/m³, densities of random draws
 
 
 class Shape(Body):
-    """A uniform rigid body, in axes of its own.
+    """The base class of uniform rigid bodies with extent.
 
-    Their origin is what a text calls its centre, z its axis, or the way to its pole or to its hole. `axis` is the word
-    for what points along z.
+    The origin of its own axes is the centre named in texts, z its axis, or the direction of its pole or hole. `axis` is
+    the word for the line along z.
     """
 
     mass: Mass
 
-    bulky: ClassVar[bool] = False  # whether the text says all its sizes, so that `solid` is one of three dimensions
-    seen: ClassVar[Axes] = UPRIGHT  # where the axes of its look point, in its own
+    bulky: ClassVar[bool] = False  # whether the text states all sizes, so that `solid` is three-dimensional
+    seen: ClassVar[Axes] = UPRIGHT  # directions of the axes of the drawn shape, in its own axes
     words: ClassVar[dict[str, Word]] = {"axis": Word("mass", {}, "axis")}
 
     @property
     def solid(self) -> Solid:
-        """Return how its mass is spread."""
+        """Return the uniform figure with the mass distribution of the body."""
         raise NotImplementedError
 
     @property
     def density(self) -> float | None:
-        """Its mass over its volume."""
+        """Return the mass divided by the volume, kg/m³; None if sizes are not stated."""
         return self.mass / self.solid.size if self.bulky else None
 
     @classmethod
     def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
-        """Give it a mass that suits its size, within the range of masses if it can be."""
+        """Return a mass that suits the size, within the range of masses if possible."""
         if not cls.bulky:
             return {}
         mass = field_types(cls)["mass"].drawn or Range(drawn["mass"], drawn["mass"])
@@ -251,18 +251,18 @@ class Shape(Body):
 
     @property
     def plainer(self) -> Mapping[Overlooked, Solid]:
-        """Figures of the same mass and centre that a reader may take it for, by what is overlooked then."""
+        """Return simplified figures of the same mass and centre, by the overlooked detail."""
         return {}
 
     def reach(self, way: Vector) -> float:
-        """Return how far it extends from its origin along a unit vector, m."""
+        """Return the extent from the origin along a unit vector, m."""
         look = self.look
         if self.seen != UPRIGHT or not isinstance(look, Axial | Capped | Rectangular | Spherical):
             raise NotImplementedError
         return look.reach(way)
 
     def put(self, carrier: Frame, name: str, at: Vector, axes: Axes = UPRIGHT) -> Frame:
-        """Return the body on what carries it, its origin at a point there and turned so."""
+        """Add the body to its carrier, with its origin at a point and the given orientation."""
         turned = self.solid.turned(axes)
         frame = carrier.body(name, self.mass, at=at, center=turned.center, inertia=turned.inertia(self.mass))
         return frame.turned(composed(self.seen, axes))

@@ -1,6 +1,6 @@
-"""Whether the speeds with which a mechanism begins are such as its rods, feet and perfectly rough faces allow.
+"""Validation of initial speeds against rods, feet and perfectly rough faces.
 
-What holds both ways has no jerk at the start, as a string that is drawn straight has: nothing could have set it going.
+A two-sided constraint has no jerk at the start, unlike a string: no impulse could have caused inconsistent speeds.
 """
 
 import math
@@ -11,12 +11,12 @@ from sim2reason.scenes.dsl.frames import Frames
 from sim2reason.scenes.dsl.mechanism import Mechanism, Rigid
 from sim2reason.scenes.dsl.vectors import product
 
-ROUNDING = 1e-9  # of the largest speed, or of 1 m/s
+ROUNDING = 1e-9  # fraction of the largest speed, or of 1 m/s
 TOUCHING = 1e-9  # m
 
 
 def check_speeds(mechanism: Mechanism) -> None:
-    """SceneError for a rod whose ends begin to part, and for what never slips and yet begins to."""
+    """Raise SceneError if initial speeds change the length of a rod or make a nonslipping contact slip."""
     speeds = [float(coordinate.speed) for coordinate in mechanism.coordinates]
     never = [face for face in mechanism.faces if face.friction == inf]
     rods = [line for line in mechanism.lines if isinstance(line.law, Rigid)]

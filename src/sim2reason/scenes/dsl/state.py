@@ -1,4 +1,4 @@
-"""What a motion looks like to whoever reads it: arrays over time, the same from every engine."""
+"""The motion of a mechanism as arrays over time, common to all engines."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import field
@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 
 class Dynamics(NamedTuple):
-    """Accelerations and forces at n instants."""
+    """Accelerations and constraint forces at n instants."""
 
     a: Array
     constraint_tension: Mapping[str, Array]
@@ -64,7 +64,7 @@ class State:
 
     @classmethod
     def of(cls, mechanism: Mechanism, times: Array, kinematics: tuple[Array, Array], dynamics: Dynamics) -> Self:
-        """Return a state whose values are known already."""
+        """Return a state with known values."""
         return cls(mechanism, times, lambda: kinematics, lambda _, __: dynamics)
 
     @cached_property
@@ -92,17 +92,17 @@ class State:
 
     @property
     def constraint_tension(self) -> Mapping[str, Array]:
-        """Return the tension, N, of each line that gives an equation; negative for a rod that pushes."""
+        """Return the tension, N, of each line that gives a constraint equation; negative for a rod that pushes."""
         return self._dynamics.constraint_tension
 
     @property
     def normal(self) -> Mapping[str, Array]:
-        """Return the normal force, N, on each resting body; negative only on faces that hold both ways."""
+        """Return the normal force, N, on each body on a face; negative only on faces that hold in both directions."""
         return self._dynamics.normal
 
     @property
     def friction(self) -> Mapping[str, Array]:
-        """Return the friction, N, on each resting body, positive along its slip."""
+        """Return the friction force, N, on each body on a face, positive along its slip."""
         return self._dynamics.friction
 
     @cached_property
@@ -166,7 +166,7 @@ class State:
         return length, rate
 
     def free_length(self, line: Line) -> tuple[Array, Array]:
-        """Return the length of a line with the amount given out by its wheels, m, and its rate, m/s; both (n,)."""
+        """Return the length of a line including the length unwound from its wheels, m, and its rate, m/s; both (n,)."""
         length, rate = self.length(line)
         for wheel in line.wheels:
             number = self.mechanism.number[wheel.coordinate]

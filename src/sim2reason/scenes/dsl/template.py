@@ -23,14 +23,14 @@ COUNT_WORDS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eig
 
 Kind = Literal["text", "path", "agree", "some", "count", "plural", "member"]
 Role = Literal["fact", "start", "assumption"]
-"""What a sentence does in a text: how the motion begins and what holds throughout may stand elsewhere in a prompt."""
+"""The function of a sentence in a text: initial and general conditions may be placed separately in a prompt."""
 Topic = Literal["axes", "slack", "start"]
-"""What a sentence is on that matters to some questions only: others leave it out. One on a start may tell numbers."""
+"""The subject matter of a sentence that only some questions need; others omit it."""
 
 
 @dataclass(frozen=True, slots=True)
 class Slot:
-    """One piece of a template. `path` is empty for plain text."""
+    """One piece of a template; `path` is empty for plain text."""
 
     kind: Kind
     text: str = ""
@@ -75,9 +75,9 @@ class Word:
 
 @dataclass(frozen=True, slots=True)
 class Wordings:
-    """A sentence in alternative wordings, of which a seed chooses one.
+    """A sentence in alternative wordings, of which a seed selects one.
 
-    With `several`, the sentence is said only if that variable-length part has two members or more; with a `topic`, only
+    With `several`, the sentence is used only if that variable-length part has two members or more; with a `topic`, only
     for a question to which it matters. If the optional number `given` is present, the wordings are `instead`.
     """
 
@@ -87,10 +87,10 @@ class Wordings:
     topic: Topic | None = None
     given: str = ""
     instead: tuple[str, ...] = ()
-    rare: bool = False  # where it stays unsaid, no wording of it is drawn, so that all others are as without it
+    rare: bool = False  # unused sentences draw no wording, so that other wordings are unaffected
 
     def if_given(self, path: str, *wordings: str) -> "Wordings":
-        """Return this sentence with other wordings for the case that the optional number at `path` is given."""
+        """Return the sentence with other wordings if the optional number at `path` is given."""
         return replace(self, given=path, instead=wordings)
 
 
@@ -98,7 +98,7 @@ class Wordings:
 class Each:
     """A sentence for each member of a variable-length part; from three members on, a table of their numbers.
 
-    `table` introduces that, in the entity's words, with {noun} of its rows and {columns}, the names of the numbers.
+    `table` introduces the table, with {noun} of its rows and {columns}, the names of the numbers.
     """
 
     field: str
@@ -108,7 +108,7 @@ class Each:
 
 @dataclass(frozen=True, slots=True)
 class PartLines:
-    """The lines of the part at a field, or of all parts there, in this place; those of other parts come before all."""
+    """A placeholder for the lines of the part at a field; lines of parts without one come first."""
 
     field: str
 
@@ -135,12 +135,12 @@ def either(*wordings: str) -> Wordings:
 
 
 def rarely(*wordings: str) -> Wordings:
-    """Return a sentence that is hardly ever said, and does not affect the choice of other wordings while unsaid."""
+    """Return a rarely used sentence that does not affect the choice of other wordings while unused."""
     return Wordings(wordings, rare=True)
 
 
 def among(field: str, *wordings: str) -> Wordings:
-    """Return a sentence on the members of a part that is only said if there are several.
+    """Return a sentence on the members of a part that is used only if there are several.
 
     A single member is described where a port names it.
 
@@ -213,7 +213,7 @@ def defining_axes(*wordings: str) -> Wordings:
 
 
 def assuming(*wordings: str) -> Wordings:
-    """Return a sentence on an assumption that introduces nothing new; a prompt may place it after the question.
+    """Return a sentence on an assumption that introduces no body; a prompt may place it after the question.
 
     Args:
         *wordings: Templates of the sentence, of which a seed selects one.
@@ -230,12 +230,12 @@ def assuming(*wordings: str) -> Wordings:
 
 
 def role_of(saying: Saying) -> Role:
-    """Return what a line does in a text."""
+    """Return the function of a line in a text."""
     return saying.role if isinstance(saying, Wordings) else "fact"
 
 
 def topic_of(saying: Saying) -> Topic | None:
-    """Return what a line is on that matters to some questions only; None for one that matters to all."""
+    """Return the topic of a line that only some questions need; None if all need it."""
     return saying.topic if isinstance(saying, Wordings) else None
 
 
@@ -299,7 +299,7 @@ _PATH = re.compile(r"[a-z_0-9.*]+")
 
 @cache
 def slots(template: str) -> tuple[Slot, ...]:
-    """A template in pieces; ValueError for a brace that belongs to no slot. Forms of agreement may hold slots."""
+    """Return the pieces of a template; raise ValueError for a brace outside a slot. Forms may contain slots."""
     found: list[Slot] = []
     depth, begin = 0, 0
     for place, character in enumerate(template):
@@ -343,7 +343,7 @@ def _slot(inside: str) -> Slot:
 
 
 def _forms(text: str) -> list[str]:
-    """Return the forms between slashes, but for the slashes of slots inside a form."""
+    """Return the forms between slashes, ignoring slashes of nested slots."""
     found, depth = [""], 0
     for character in text:
         depth += (character == "{") - (character == "}")

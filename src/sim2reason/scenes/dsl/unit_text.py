@@ -1,4 +1,4 @@
-r"""How a unit is spelled: from ``\text{m}/\text{s}^{2}``, ``kg·m²`` or ``metres per second`` to words and powers."""
+r"""The syntax of units: from ``\text{m}/\text{s}^{2}``, ``kg·m²`` or ``metres per second`` to words and powers."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ MAX_POWER: Final = 9
 
 
 class UnitError(ValueError):
-    """A text that is no unit of the table."""
+    """An error for a text that is not a known unit."""
 
 
 _SPOKEN: Final = {
@@ -39,7 +39,7 @@ _TOKEN: Final = re.compile(
 
 
 class _UnitReader:
-    """Reads one unit by recursive descent; a factor is a list of (word, power)."""
+    """A recursive-descent parser of one unit; a factor is a list of (word, power)."""
 
     def __init__(self, text: str) -> None:
         self.tokens = list(_tokens(text))
@@ -53,7 +53,7 @@ class _UnitReader:
         return self.tokens[self.at - 1][1]
 
     def quotient(self, depth: int = 0) -> list[tuple[str, int]]:
-        """Return a product, and any number of divisors, each a single factor: a/b c could mean two things."""
+        """Return a product and any number of single divisors, since a/b c would be ambiguous."""
         if depth > MAX_DEPTH:
             raise UnitError("a unit is nested too deeply")
         factors = self.product(depth) if self.peek() != "slash" else []
@@ -113,7 +113,7 @@ class _UnitReader:
 
 
 def _tokens(text: str) -> list[tuple[str, str]]:
-    """Kinds and texts; braces that print does not show become spaces, `per` a slash."""
+    """Return kinds and texts of tokens; invisible braces become spaces, `per` a slash."""
     tokens: list[tuple[str, str]] = []
     unseen: list[bool] = []  # for each open brace or parenthesis
     arguments = at = 0  # how many groups the fractions so far still take
@@ -152,7 +152,7 @@ def _lexeme(kind: str, word: str) -> tuple[str, str]:
 
 
 def factors(text: str) -> list[tuple[str, int]]:
-    """Return the words of a unit with their powers, in the order in which they stand; the empty text has none.
+    """Return the words of a unit with their powers, in the order of the text; an empty text has none.
 
     Words are as in the table but not yet looked up. Raises `UnitError` for what is not built like a unit.
     """

@@ -1,7 +1,7 @@
-"""The one closed table of units: reading any usual spelling, checking dimensions, showing a canonical form.
+"""The table of units: reading of usual spellings, checks of dimensions, and canonical display.
 
 Angles and cycles are dimensionless in the SI, yet confusing rad/s with Hz costs a factor 2π, so both are
-counted here beside the seven base dimensions; `Unit.factor_to` says when they may be ignored.
+counted here beside the seven base dimensions; `Unit.factor_to` defines when they may be ignored.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ class Dimension(NamedTuple):
 
     @property
     def base(self) -> tuple[int, ...]:
-        """The seven exponents that the SI knows."""
+        """Return the seven exponents of the SI base dimensions."""
         return tuple(self)[:7]
 
 
@@ -60,20 +60,20 @@ class Unit:
 
     @property
     def display(self) -> str:
-        """The name as printed: ``m/s^2`` is shown as ``m/s²``, ``deg`` as ``°``."""
+        """Return the name as printed: ``m/s^2`` is shown as ``m/s²``, ``deg`` as ``°``."""
         text = re.sub(r"\^(-?\d)", lambda power: power[1].translate(_RAISED), self.name)
         text = re.sub(r"\bdeg\b", "°", text.replace("*", "·"))
         return re.sub(r"\bu(?=[A-Za-z])", "µ", text)
 
     def quantity(self, number: str) -> str:
-        """Return a number, already written out, with this unit: ``9.8 m/s²``, ``30°``, ``50 %``, ``0.4``."""
+        """Return a formatted number with this unit: ``9.8 m/s²``, ``30°``, ``50 %``, ``0.4``."""
         return f"{number}{'' if self.name == 'deg' else ' '}{self.display}".rstrip()
 
     def factor_to(self, asked: Unit) -> float | None:
-        """Return what to multiply a number in this unit by to have it in `asked`; None if the two don't compare.
+        """Return the conversion factor from this unit to `asked`; None if they are incompatible.
 
-        s⁻¹ and rad/s compare, and s⁻¹ passes for Hz; Hz and rad/s differ by 2π and don't compare, nor does an
-        angle with a pure number.
+        s⁻¹ is compatible with rad/s and with Hz; Hz and rad/s differ by 2π and are incompatible, as is an angle with
+        a pure number.
         """
         mine, other = self.dimension, asked.dimension
         plain = mine.angle == mine.cycle == 0
@@ -145,7 +145,7 @@ del D
 
 
 def _words() -> dict[str, Unit]:
-    """Return every symbol and name of the table, with prefixes and plurals, in both directions of case for names."""
+    """Return every symbol and name of the table, with prefixes and plurals, and names in lower and upper case."""
     table: dict[str, Unit] = {}
     for entries, prefixes in ((_PREFIXED, _PREFIXES), (_PLAIN, {"": ("", 1.0)})):
         for symbol, names, size, dimension in entries:
@@ -167,7 +167,7 @@ _COHERENT: Final = {
     for prefix, (_, scale) in _PREFIXES.items()
     if size == 1.0 or symbol == "g"
 }
-"""Units of the SI with their prefixes, as the same without, and what one is in it, exactly; of masses the kilogram."""
+"""SI units with their prefixes: the same without prefix, and the exact factor; for masses relative to the kilogram."""
 
 
 def _name(powers: dict[str, int]) -> str:
@@ -190,7 +190,7 @@ def parse_unit(text: str) -> Unit:
 
 
 def combined(text: str, further: Mapping[str, Unit]) -> Unit:
-    """Return the unit that a text spells, by this table and `further` units; UnitError if unknown or out of range."""
+    """Return the unit in a text, by this table and `further` units; raise UnitError if unknown or out of range."""
     powers: dict[str, int] = {}
     factor, dimension = 1.0, Dimension()
     for word, power in factors(text):
@@ -207,7 +207,7 @@ def combined(text: str, further: Mapping[str, Unit]) -> Unit:
 
 @lru_cache(maxsize=1024)
 def coherent(text: str) -> tuple[str, Decimal]:
-    """A unit without prefixes, and what one is in it, exactly: ``km/s`` is 1000 ``m/s``, ``g`` is 0.001 ``kg``."""
+    """Return a unit without prefixes and the exact factor: ``km/s`` is 1000 ``m/s``, ``g`` is 0.001 ``kg``."""
     size, bare = Decimal(1), list[str]()
     for word, power in factors(parse_unit(text).name):
         plain, scale = _COHERENT.get(word, (word, Decimal(1)))
@@ -218,7 +218,7 @@ def coherent(text: str) -> tuple[str, Decimal]:
 
 @dataclass(frozen=True, slots=True)
 class UnitSystem:
-    """A coherent system of units, in which a mechanism's numbers stand and its text speaks.
+    """A coherent system of units of a mechanism and its text.
 
     `derived` are its names for units of the SI other than metre, kilogram and second, such as ``uN`` for ``N``; without
     any, derived units are spelled as products of the base units.
@@ -232,7 +232,7 @@ class UnitSystem:
 
     @property
     def own(self) -> frozenset[str]:
-        """The units that are not those of the SI."""
+        """Return the units that are not SI units."""
         return frozenset({self.length, self.mass, self.time, *(name for _, name in self.derived)} - {"m", "kg", "s"})
 
     def spell(self, unit: str) -> str:

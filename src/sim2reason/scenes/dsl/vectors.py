@@ -11,7 +11,7 @@ Tensor = tuple[float, float, float, float, float, float]
 
 
 def unit(vector: Vector) -> Vector:
-    """`vector` scaled to length 1; ValueError for the zero vector."""
+    """Return a vector scaled to length 1; raise ValueError for the zero vector."""
     length = hypot(*vector)
     if length == 0.0:
         raise ValueError("a direction can not be the zero vector")
@@ -95,12 +95,12 @@ def outer(a: Vector, b: Vector) -> Vector:
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
-Number: TypeAlias = Any  # a float, an array or a symbol; arithmetic is all that is asked of it
+Number: TypeAlias = Any  # a float, an array or a symbol with arithmetic
 Triple: TypeAlias = tuple[Number, Number, Number]
 
 
 class Maths(Protocol):
-    """The functions of one kind of number: the modules `math` and `numpy`, or a tape of symbols."""
+    """The functions of one type of number: the modules `math` and `numpy`, or a tape of symbols."""
 
     def sqrt(self, x: Number, /) -> Number:
         """Return the square root."""
@@ -116,12 +116,12 @@ class Maths(Protocol):
 
 
 def product(a: Triple, b: Triple) -> Number:
-    """Return the scalar product."""
+    """Return the dot product of two vectors."""
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 def cross(a: Triple, b: Triple) -> Triple:
-    """Return the vector product."""
+    """Return the cross product of two vectors."""
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
@@ -131,7 +131,7 @@ def plus(a: Triple, b: Triple) -> Triple:
 
 
 def minus(a: Triple, b: Triple) -> Triple:
-    """Return the first vector less the second."""
+    """Return the first vector minus the second."""
     return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 
 
@@ -146,39 +146,39 @@ def applied(tensor: Tensor, vector: Triple) -> Triple:
     return (product((xx, xy, xz), vector), product((xy, yy, yz), vector), product((xz, yz, zz), vector))
 
 
-Gradient = Mapping[int, Triple]  # by number of a coordinate, or of a face
+Gradient = Mapping[int, Triple]  # by index of a coordinate, or of a face
 NONE: Triple = (0.0, 0.0, 0.0)
 
 
 @dataclass(slots=True)
 class Point:
-    """A point of a body; `gradient` by coordinate and `lift` by face hold what is not zero."""
+    """A point of a body; `gradient` by coordinate and `lift` by face hold the nonzero entries."""
 
     place: Triple  # m
     velocity: Triple  # m/s
-    bias: Triple  # its acceleration at q̈ = 0, m/s²
+    bias: Triple  # acceleration at q̈ = 0, m/s²
     gradient: Gradient
     lift: Gradient
 
 
 @dataclass(slots=True)
 class Distance:
-    """How far apart two points are; what does not move one relative to the other has no entry."""
+    """The distance of two points with its derivatives; entries are omitted if they are zero."""
 
     value: Number  # m
     rate: Number  # m/s
-    bias: Number  # its second derivative at q̈ = 0, m/s²
+    bias: Number  # second derivative at q̈ = 0, m/s²
     way: Triple  # unit vector from the first to the second
-    moved: Gradient  # how the second moves relative to the first, by coordinate
-    along: Mapping[int, Number]  # the part of that along `way`
+    moved: Gradient  # gradient of the relative position, by coordinate
+    along: Mapping[int, Number]  # its component along `way`
     lift: Mapping[int, Number]  # the same for rises from faces
 
 
 def distance(one: Point, other: Point, maths: Maths, steady: Triple | None = None) -> Distance:
-    """From one point to another; ZeroDivisionError where they coincide and can part.
+    """Return the distance between two points; raise ZeroDivisionError if they coincide and can separate.
 
-    `steady` is the unit vector from one to the other if that never turns: then it holds where they meet, too, and
-    beyond, where their distance counts as negative.
+    `steady` is the unit vector from one to the other if it is constant: it also applies where they meet, and beyond,
+    where their distance counts as negative.
     """
     apart = x, y, z = minus(other.place, one.place)
     value = maths.sqrt(x * x + y * y + z * z) if steady is None else product(steady, apart)
@@ -198,7 +198,7 @@ def distance(one: Point, other: Point, maths: Maths, steady: Triple | None = Non
 
 
 def relative(one: Gradient, other: Gradient) -> dict[int, Triple]:
-    """Return how the second point moves relative to the first, where it does, in the order of coordinates."""
+    """Return the gradient of the second point relative to the first, nonzero entries in the order of coordinates."""
     if not one:
         return dict(other)
     if not other:
@@ -216,20 +216,20 @@ def relative(one: Gradient, other: Gradient) -> dict[int, Triple]:
 
 
 class Region(Protocol):
-    """A region of space in which a force acts; a point is inside where all margins are positive."""
+    """The protocol of regions in which a force acts; a point is inside where all margins are positive."""
 
     def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
-        """Distances to the borders, m, positive inside."""
+        """Return the distances to the borders, m, positive inside."""
         ...
 
     def moved(self, by: Vector) -> Self:
-        """Return the same region elsewhere."""
+        """Return the region translated by a vector, m."""
         ...
 
 
 @dataclass(frozen=True, slots=True)
 class HalfSpace:
-    """All places with normal·r ≥ offset."""
+    """The half-space normal·r ≥ offset."""
 
     normal: Vector
     offset: float
@@ -240,7 +240,7 @@ class HalfSpace:
         return (product(self.normal, place) - self.offset,)
 
     def moved(self, by: Vector) -> "HalfSpace":
-        """Elsewhere."""
+        """Return the region translated by a vector, m."""
         return replace(self, offset=self.offset + inner(self.normal, by))
 
 
@@ -251,7 +251,7 @@ class BoxRegion:
     sides: tuple[tuple[Vector, float, float], ...]  # (axis, low, high)
 
     def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
-        """Return the distances to its sides."""
+        """Return the distances to the sides, m."""
         del maths
         found: list[Number] = []
         for axis, low, high in self.sides:
@@ -260,25 +260,25 @@ class BoxRegion:
         return tuple(found)
 
     def moved(self, by: Vector) -> "BoxRegion":
-        """Elsewhere."""
+        """Return the region translated by a vector, m."""
         return BoxRegion(tuple((axis, low + inner(axis, by), high + inner(axis, by)) for axis, low, high in self.sides))
 
 
 @dataclass(frozen=True, slots=True)
 class DiscRegion:
-    """A cylinder of any length: the places within `radius` of an axis through `center`."""
+    """An infinite cylinder: the points within `radius` of an axis through `center`."""
 
     center: Vector
     radius: float
     axis: Vector = (0.0, 0.0, 1.0)
 
     def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
-        """Return the distance to its border."""
+        """Return the distance to the border, m."""
         apart = minus(place, self.center)
         along = product(self.axis, apart)
         aside = minus(apart, times(along, self.axis))
         return (self.radius - maths.sqrt(product(aside, aside)),)
 
     def moved(self, by: Vector) -> "DiscRegion":
-        """Elsewhere."""
+        """Return the region translated by a vector, m."""
         return replace(self, center=add(self.center, by))

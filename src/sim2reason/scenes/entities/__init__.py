@@ -1,4 +1,4 @@
-"""The entities that scenes are made of, in modules by theme."""
+"""The entities of scenes, in modules by theme."""
 
 from sim2reason.scenes.dsl.entity import ENTITIES
 

@@ -1,4 +1,4 @@
-"""Blocks and balls that meet on a straight track, with walls, spring buffers and pairs joined by springs."""
+"""Blocks and balls that collide on a straight track, with walls, spring buffers and pairs joined by springs."""
 
 from collections.abc import Mapping
 from itertools import pairwise
@@ -37,10 +37,10 @@ from sim2reason.scenes.entities.parts.neighbours import (
     fit,
 )
 
-ALIKE = 0.95  # the chance that all of them are blocks, or balls, if they are drawn
+ALIKE = 0.95  # probability that all drawn gliders are of one kind
 NEAREST = 0.01  # m, between neighbours at the start
 LONGEST = 10.0  # s
-PASSES = 5.0  # times that the fastest would run past all the others, that the motion is followed for
+PASSES = 5.0  # passes of the fastest glider over all others in the default duration
 
 
 @entity
@@ -128,24 +128,24 @@ class ComplexCollisionPlane(Entity):
 
     @classmethod
     def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
-        """From left to right, on firm springs; at the top of a slope there is no wall, which nothing would reach."""
+        """Return the gliders from left to right, on stiff springs; a track with slope has no wall at its top."""
         right = None if drawn["track"].angle else drawn.get("right")
         gliders = alike(drawn["gliders"]) if rng.random() < ALIKE else drawn["gliders"]
         return {**fit(gliders, drawn.get("joined", ()), drawn.get("buffers", ())), "right": right}
 
     def horizon(self, gravity: float) -> float:
-        """Return some passes of the fastest over all that lies between, s."""
+        """Return the time of some passes of the fastest glider over the whole distance, s."""
         del gravity
         fastest = max(abs(glider.v) for glider in self.gliders)
         return min(LONGEST, PASSES * (self._places[-1] - self._places[0]) / fastest) if fastest else LONGEST
 
     @property
     def _places(self) -> list[float]:
-        """Of walls and gliders, from left to right, m."""
+        """Return the positions of walls and gliders, from left to right, m."""
         return [place for place in (self.left, *(glider.x for glider in self.gliders), self.right) if place is not None]
 
     def build(self, room: Frame) -> None:
-        """Points that slide along the track; neighbours bounce, unless a spring stands between them."""
+        """Build gliders on the track; neighbours collide unless a spring is between them."""
         along, frames = self.track.along, list[Frame]()
         for index, glider in enumerate(self.gliders):
             frame = room.body(f"gliders.{index}", glider.mass, at=scale(glider.x, along))

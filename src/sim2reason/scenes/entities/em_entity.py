@@ -22,10 +22,10 @@ from sim2reason.scenes.dsl.model import rebuilt
 from sim2reason.scenes.dsl.units import MINUTE, UnitSystem
 from sim2reason.scenes.entities.parts.fields import ElectricField, ForceField, MagneticField, Medium
 
-TURN = 8.0  # rad of the fastest thing that the fields do, for which the motion is followed
-USUAL = 2.0  # s, where nothing sets a time
-BENT = 1.5  # times the longest straight way through a region: how long a way through it may be
-AIM = 12.0  # degrees by which a drawn bead misses the middle of a region, at most
+TURN = 8.0  # rad of the fastest rotation or oscillation in the default duration
+USUAL = 2.0  # s, default duration without a time scale of the fields
+BENT = 1.5  # assumed length of a path through a region, in straight paths
+AIM = 12.0  # degrees, largest error of aim of a drawn bead towards a region
 
 
 @entity
@@ -82,17 +82,17 @@ class EmEntity(Entity):
 
     @property
     def fields(self) -> dict[str, ForceField]:
-        """All that acts, by name."""
+        """Return all fields and media by name."""
         found = {"magnetic": self.magnetic, "electric": self.electric, "medium": self.medium}
         return {name: field for name, field in found.items() if field is not None}
 
     @property
     def clocked(self) -> bool:
-        """It starts at t = 0."""
+        """Return True, since the bead starts at t = 0."""
         return True
 
     def horizon(self, gravity: float) -> float:
-        """A turn or so of the fastest thing that the fields do, or time to come to their region and through it, s."""
+        """Return the time of about one turn of the fastest field effect, or to reach and cross the region, s."""
         del gravity
         mass, charge = self.particle.mass, self.particle.signed_charge
         fastest = max(field.rate(charge, mass) for field in self.fields.values())
@@ -104,13 +104,13 @@ class EmEntity(Entity):
 
     @property
     def _speeding_up(self) -> float:
-        """Return the default duration, s, or less if the particle would become too fast for Newton's laws."""
+        """Return the default duration, s, reduced if the bead would become too fast for Newton's laws."""
         pushes = [field.law(self.particle.signed_charge).force(ZERO, ZERO, 0.0, math) for field in self.fields.values()]
         most = sum(math.hypot(*map(float, push)) for push in pushes) / self.particle.mass
         return min(USUAL, FASTEST / most) if most else USUAL
 
     def build(self, room: Frame) -> None:
-        """Two slides in a level plane, and a force for each field; a medium is everywhere."""
+        """Build the bead with two slides in a level plane, and a force for each field."""
         vx, vy = self.start.velocity
         bead = room.body("particle", self.particle.mass).slide(X, vx, name="x", stated=("x", 0.0))
         bead.slide(Y, vy, name="y", stated=("y", 0.0))

@@ -58,11 +58,11 @@ class LightRodPendulum(Entity):
     base = Base(held="the other end of {rod}", required=True)
 
     def horizon(self, gravity: float) -> float | None:
-        """Of a few swings about a fixed point, s."""
+        """Return the time of a few oscillations about a fixed point, s."""
         return swings(self.rod.length, gravity)
 
     def build(self, room: Frame) -> None:
-        """The ball on an arm about the hinge; what turns right-handed about y, away from the reader, goes clockwise."""
+        """Build the ball on an arm about the hinge; a right-handed rotation about y is clockwise for the reader."""
         length, angle = self.rod.length, radians(self.angle) * (1.0 if self.side == "right" else -1.0)
         place = (length * sin(angle), 0.0, -length * cos(angle))
         room.body("bob", self.bob.mass, center=place).hinge(Y, (self.speed or 0.0) / length)
@@ -98,21 +98,21 @@ class Pendulum(Entity):
         return self
 
     def horizon(self, gravity: float) -> float | None:
-        """Of a few swings, s."""
+        """Return the time of a few oscillations, s."""
         return swings(self.hanger.length, gravity)
 
     @property
     def tells_taut(self) -> bool:
-        """It says how the string hangs."""
+        """Return whether the bob hangs on a string, whose sentences describe it as taut."""
         return isinstance(self.hanger, Cord)
 
     @property
     def slackens(self) -> bool:
-        """A bob on a string that is launched may leave its circle; from what angle and how fast may be unknown."""
+        """Return whether a launched bob on a string may leave its circle."""
         return isinstance(self.hanger, Cord) and self.speed is not None
 
     def build(self, room: Frame) -> None:
-        """On a rod it turns about the point; on a string it moves in the plane, held by the string alone."""
+        """Build the bob on a hinged rod, or free in the plane and held by a string."""
         length, angle, speed = self.hanger.length, radians(self.angle), self.speed or 0.0
         place = (length * sin(angle), 0.0, -length * cos(angle))
         room.site("point")
@@ -183,6 +183,6 @@ class SliderMass(Entity):
     )
 
     def build(self, room: Frame) -> None:
-        """The carriage at the origin."""
+        """Build the carriage at the origin."""
         carriage = room.body("carriage", self.carriage.mass).slide(X)
         carriage.site("hub").site("left_eye", faces=scale(-1.0, X)).site("right_eye", faces=X)

@@ -27,8 +27,8 @@ from sim2reason.scenes.bodies.pendulums import Ball
 
 LaunchHeight = Annotated[float, Ge(0), Le(1e6), Measure("height", "m", "h"), Range(1.0, 5.0)]
 Elevation = Annotated[float, Ge(0), Le(90), Measure("elevation", "deg", r"\theta", decimals=0), Range(0.0, 90.0)]
-STRAIGHT = 90.0  # deg
-FLIGHTS = 2.2  # times the first flight that the motion is followed for
+STRAIGHT = 90.0  # deg, a vertical launch
+FLIGHTS = 2.2  # durations of the first flight in the default duration
 
 
 @entity
@@ -126,7 +126,7 @@ class Projectile(Entity):
         return FLIGHTS * (self._rise + sqrt(self._rise**2 + 2.0 * gravity * self.height)) / gravity
 
     def build(self, room: Frame) -> None:
-        """A small body that meets the ground; without a restitution its flight ends there."""
+        """Build a small body that collides with the ground; without a restitution its motion ends there."""
         ball = room.body("ball", self.ball.mass, at=(0.0, 0.0, self.height))
         ball.slide(X, self._velocity[0], name="x")
         lowest = float("-inf") if self.restitution is not None else -self.height

@@ -25,7 +25,7 @@ from sim2reason.scenes.connections.string import String
 from sim2reason.scenes.dsl.connection import Inside
 from sim2reason.scenes.entities.parts.mass_systems import Hanging, OnPlane, OnWedge
 
-UPRIGHT_ON_Y = (X, scale(-1.0, Z), Y)  # the axes of what is round about the axle, which points away from the reader
+UPRIGHT_ON_Y = (X, scale(-1.0, Z), Y)  # figures symmetric about the axle, which points away from the reader
 
 
 @entity
@@ -89,12 +89,12 @@ class MassWithFixedPulley(Entity):
     tail = Chain(stops=("system.tail", "over"), required=True)
 
     def build(self, room: Frame) -> None:
-        """The system's string reaches the left of the rim, the open side leaves its right."""
+        """Build the pulley with the system's string at the left of its rim and the open side at the right."""
         room.pulley("pulley", at=(WHEEL_RADIUS, 0.0, 0.0), mass=self.pulley.mass)
         self.system.build(room.part("system"))
 
 
-ASIDE = 1.0  # m; how far from the pulley a plane or wedge stands, for looks
+ASIDE = 1.0  # m; distance of a plane or wedge from the pulley, for drawings only
 
 
 @entity
@@ -118,7 +118,7 @@ class MassWithMovablePulley(Entity):
     )
 
     def build(self, room: Frame) -> None:
-        """The pulley on a vertical slide, its rims facing down, its axle facing up."""
+        """Build the pulley on a vertical slide, with its rims facing down and its axle facing up."""
         carrier = room.body("carrier").slide(Z)
         carrier.site("axle", faces=Z)
         carrier.pulley("pulley", mass=self.pulley.mass, faces=scale(-1.0, Z))
@@ -159,7 +159,7 @@ class MassWithReverseMovablePulley(Entity):
     )
 
     def build(self, room: Frame) -> None:
-        """The pulley on a vertical slide, its rims facing up, its axle facing down to the load."""
+        """Build the pulley on a vertical slide, with its rims facing up and its axle facing down."""
         carrier = room.body("carrier").slide(Z)
         carrier.site("axle", faces=scale(-1.0, Z))
         carrier.pulley("pulley", mass=self.pulley.mass, faces=Z)
@@ -199,7 +199,7 @@ class ThreePointMovablePulley(Entity):
     )
 
     def build(self, room: Frame) -> None:
-        """The pulley on a vertical slide, its rims facing away from its hook."""
+        """Build the pulley on a vertical slide, with its rims facing away from its hook."""
         away = scale(-1.0 if self.hook == "below" else 1.0, Z)
         carrier = room.body("carrier").slide(Z)
         carrier.site("axle", faces=away)

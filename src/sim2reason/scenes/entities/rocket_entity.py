@@ -1,4 +1,4 @@
-"""A rocket that burns its fuel at a steady rate: on a planet that really pulls, on level ground, in deep space."""
+"""A rocket that burns its fuel at a constant rate: above a planet, on level ground or in deep space."""
 
 from collections.abc import Mapping
 from math import sqrt
@@ -13,10 +13,10 @@ from sim2reason.scenes.dsl.model import as_said
 
 ExhaustSpeed = Annotated[float, LEAST, Le(1e4), Measure("exhaust speed", "km/s", "u", sought=2.0), Range(0.4, 3.0)]
 BurnRate = Annotated[float, LEAST, Le(1e6), Measure("burn rate", "kg/s", r"\mu"), Range(1.0, 10.0)]
-THRUST = Range(0.8, 4.0)  # times the weight at the start: below 1 the rocket waits until it is light enough
-AWAY = Range(1.2, 2.5)  # the same where it goes so far from a planet that its attraction falls off
-ESCAPE = Range(0.6, 1.2)  # exhaust speeds, in terms of the escape speed
-BURNS = 3.0  # times the time that the fuel lasts, for which the motion is followed
+THRUST = Range(0.8, 4.0)  # in initial weights: below 1 the rocket waits until it is light enough
+AWAY = Range(1.2, 2.5)  # in initial weights, for a rocket that travels far from a planet
+ESCAPE = Range(0.6, 1.2)  # exhaust speeds, in escape speeds
+BURNS = 3.0  # burning times in the default duration
 
 
 @entity
@@ -43,7 +43,7 @@ class RocketEntity(Entity):
 
     @classmethod
     def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
-        """Return an exhaust that can nearly leave the planet, and a thrust that can lift the rocket."""
+        """Return an exhaust speed near the escape speed, and a thrust that can lift the rocket."""
         place, exhaust = drawn["place"], drawn["exhaust"]
         if isinstance(place, DeepSpace):
             return {}
@@ -57,28 +57,28 @@ class RocketEntity(Entity):
 
     @property
     def clocked(self) -> bool:
-        """Its engine starts at t = 0."""
+        """Return True, since the engine starts at t = 0."""
         return True
 
     @property
     def thrust(self) -> float:
-        """The burn rate times the exhaust speed, N."""
+        """Return the thrust, N: burn rate times exhaust speed."""
         return self.rate * KILO * self.exhaust
 
     @property
     def burning_time(self) -> float:
-        """Return how long the fuel lasts, s."""
+        """Return the burning time of the fuel, s."""
         return (self.rocket.mass - self.rocket.dry) / self.rate
 
     def horizon(self, gravity: float) -> float:
-        """Three times the time that the fuel lasts, s."""
+        """Return three times the burning time, s."""
         del gravity
         return BURNS * self.burning_time
 
     def build(self, room: Frame) -> None:
-        """One coordinate: up the room in its own gravity, along a level line from a planet and in deep space.
+        """Build the rocket with one coordinate: vertical in uniform gravity, else along a level line.
 
-        What it stands on is a strut that it may leave; where it returns to the ground its motion ends.
+        The initial support is a strut that it may leave; its motion ends when it returns to the ground.
         """
         way = Z if isinstance(self.place, LevelGround) else X
         rocket = room.body("rocket", self.rocket.mass)

@@ -81,7 +81,7 @@ class RollingEntity(Entity):
         return self
 
     def build(self, room: Frame) -> None:
-        """It slides along the plane and turns about its axis; its centre of mass may lie beside that."""
+        """Build the body with a slide along the plane and a hinge about its axis; it may be unbalanced."""
         uphill, normal = self.plane.directions()
         axes = axes_along(Y) if self.hole is None else (outer(Y, self.hole.way), Y, self.hole.way)
         speed, spin = (0.0, 0.0) if self.start is None else self.start.motion(self.body.radius)
@@ -90,8 +90,8 @@ class RollingEntity(Entity):
         frame.site("axle", faces=uphill)
 
 
-TUMBLES, LONGEST = 5, 2.0  # for which the motion is followed, and s
-FEWEST = 5  # sides: with four, a landing leaves a sixteenth of the energy, with three it stops all motion
+TUMBLES, LONGEST = 5, 2.0  # face changes in the default duration, and s
+FEWEST = 5  # least number of sides: with four, a landing leaves a sixteenth of the energy, with three none
 
 
 @entity
@@ -130,12 +130,12 @@ class TumblingPrism(Entity):
         return self
 
     def horizon(self, gravity: float) -> float:
-        """As long as it would take to turn from face to face five times with its first angular velocity, s."""
+        """Return the time of five rotations from face to face at the initial angular velocity, s."""
         del gravity
         return min(LONGEST, TUMBLES * 2.0 * pi / self.prism.sides / self.rate) if self.rate else 0.5 * LONGEST
 
     def build(self, room: Frame) -> None:
-        """A body free in the plane of the motion, its edges the feet on which it may stand."""
+        """Build a body free in the plane of the motion, with its edges as feet."""
         uphill, normal = self.plane.directions()
         edges, apothem = self.prism.edges(uphill, normal), self.prism.apothem
         sense = 1.0 if self.plane.angle == 0.0 else -1.0

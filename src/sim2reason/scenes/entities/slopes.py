@@ -24,8 +24,8 @@ from sim2reason.scenes.bodies.sliders import Block
 from sim2reason.scenes.entities.parts.friction import two_coefficients
 from sim2reason.scenes.entities.parts.mass_systems import FRICTION_ON_PLANE, SPACING, Blocks, link, row
 
-APART = 1.2  # m between neighbours on the top; their strings keep it, so it never matters
-EYE = 1.6  # times the free length of a string that hangs there, below the top; for looks
+APART = 1.2  # m between neighbours on the top, kept by their strings and without effect
+EYE = 1.6  # height of a string's eye below the top, in free lengths; for drawings only
 
 
 @entity
@@ -79,7 +79,7 @@ class MassBoxPlane(Entity):
     )
 
     def build(self, room: Frame) -> None:
-        """The box with its top at the origin, a row of blocks there, and a block beside either edge."""
+        """Build the box with its top at the origin, a row of blocks there, and a block beside each edge."""
         box = room.body("box", self.box.mass).rest(along=X, normal=Z)
         last = len(self.blocks) - 1
         for index, block in enumerate(self.blocks):
@@ -146,7 +146,7 @@ class MassPrismPlane(Entity):
     )
 
     def build(self, room: Frame) -> None:
-        """The prism on the floor with its apex at the origin, and the blocks on its faces."""
+        """Build the prism on the floor with its apex at the origin, and the blocks on its faces."""
         prism = room.body("prism", self.prism.mass).rest(along=X, normal=Z)
         prism.site("apex")
         tops = [
@@ -156,7 +156,7 @@ class MassPrismPlane(Entity):
         prism.string("rope", tops[0], room.address("apex"), tops[1])
 
     def _face(self, prism: Frame, name: str, blocks: tuple[Block, ...], angle: float, side: float) -> str:
-        """Blocks on a face that rises to the `side`, the last one highest; the address of its hook."""
+        """Build blocks on a face that rises to the `side`, the last one highest; return the address of its hook."""
         uphill = (side * cos(radians(angle)), 0.0, sin(radians(angle)))
         normal = (-side * sin(radians(angle)), 0.0, cos(radians(angle)))
         count = len(blocks)
@@ -212,7 +212,7 @@ class TwoSideMassPlane(Entity):
     )
 
     def build(self, room: Frame) -> None:
-        """Blocks that rest on the room's face, the first one lowest."""
+        """Build blocks on the slope, the first one lowest."""
         plane, (uphill, _) = self.plane, self.plane.directions()
         frames = row(room, self.blocks, plane, length=0.0, speed=self.speed or 0.0)
         frames[0].site("lowest", faces=scale(-1.0, uphill))

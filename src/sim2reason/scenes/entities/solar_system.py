@@ -14,13 +14,13 @@ from sim2reason.scenes.bodies.space import G, HeavyPlanet, Planet, Star
 from sim2reason.scenes.dsl.model import as_said, rebuilt
 from sim2reason.scenes.dsl.units import ASTRONOMICAL, UnitSystem
 
-LIGHT = 1e-6  # solar masses; of a planet whose mass is not said, and does not matter
-INNERMOST = Range(0.3, 0.7)  # au, of the first perihelion
-APART, FAR_APART = Range(1.2, 1.6), Range(1.6, 2.2)  # of each perihelion to the aphelion before; of heavy planets
-RATIO = Range(2e-4, 1e-3)  # of the mass of a heavy planet to that of its star
+LIGHT = 1e-6  # solar masses, of a planet whose mass is not stated and has no effect
+INNERMOST = Range(0.3, 0.7)  # au, first perihelion
+APART, FAR_APART = Range(1.2, 1.6), Range(1.6, 2.2)  # perihelion over the previous aphelion; for heavy ones
+RATIO = Range(2e-4, 1e-3)  # mass of a heavy planet over that of its star
 ROUND = Range(0.0, 0.3)  # eccentricities
-APSIS = 0.4  # of first planets start at an end of the major axis, at right angles to the line from the star
-FULL = 1.2  # periods: one is over within them, also where a number is a little larger
+APSIS = 0.4  # probability that the first planet starts at an apsis, with a velocity perpendicular to the radius
+FULL = 1.2  # periods in the default duration: more than one, even if a number is changed slightly
 LONGEST = 50.0  # yr
 
 AnyPlanet = Planet | HeavyPlanet
@@ -75,13 +75,13 @@ class SolarSystem(Entity):
 
     @classmethod
     def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
-        """Planets on ellipses about this star, one outside the other, and all much lighter than it."""
+        """Return planets on nested ellipses about this star, all much lighter than it."""
         mass: float = drawn["star"].mass
         planets = orbiting(drawn["planets"], mass, ROUND, rng)
         return {"planets": tuple(_lighter(planet, mass, rng) for planet in planets)}
 
     def horizon(self, gravity: float) -> float:
-        """A little more than the shortest period of a planet that returns, or the time that a circle would take, yr."""
+        """Return slightly more than the shortest period of a bound planet, or that of a circular orbit, yr."""
         del gravity
         return min([LONGEST, *(FULL * self._period(planet) for planet in self.planets)])
 
@@ -92,7 +92,7 @@ class SolarSystem(Entity):
         return 2.0 * pi * sqrt(axis**3 / attraction)
 
     def build(self, room: Frame) -> None:
-        """Bodies with two slides in the level plane; the star has none."""
+        """Build planets with two slides in the level plane, and the fixed star."""
         star = room.body("star", self.star.mass)
         frames: list[Frame] = []
         for index, planet in enumerate(self.planets):
@@ -119,9 +119,9 @@ def orbiting(
     eccentricities: Range,
     rng: np.random.Generator,
 ) -> tuple[AnyPlanet, ...]:
-    """Return the planets on ellipses about a star of some mass, each orbit outside the one before.
+    """Return planets on ellipses about a star of a given mass, each orbit outside the previous one.
 
-    The first planet starts on the x axis, so that its distance from the star can be read off; the others anywhere.
+    The first planet starts on the x axis, so that its distance from the star is evident; the others anywhere.
     With p = a(1 − e²), at the angle ν from the perihelion, r = p/(1 + e cos ν), and the velocity is √(GM/p) times
     (−sin ν, e + cos ν) in axes of which the first points to the perihelion.
     """

@@ -34,11 +34,11 @@ from sim2reason.scenes.entities.parts.springs import DASHPOTS
 Across = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "m", "x", decimals=2), Range(-0.3, 0.3)]
 Away = Annotated[float, Ge(-1e3), Le(1e3), Measure("position", "m", "y", decimals=2), Range(-0.3, 0.3)]
 Rate = Annotated[float, Ge(-1e3), Le(1e3), Measure("velocity", "m/s", "v", decimals=2), Range(-2.0, 2.0)]
-NEAREST = 0.05  # m from the block to a nail, and from nail to nail
-LONG = Range(0.8, 1.25)  # times its natural length that a drawn spring is long at the start
+NEAREST = 0.05  # m from the block to a nail, and between nails
+LONG = Range(0.8, 1.25)  # initial length of a drawn spring, in natural lengths
 SHORTEST = 0.1  # m, of a drawn spring
-SWING = 0.3  # of the shortest natural length: the amplitude of a launch from rest
-PERIODS = 2.0  # of an oscillation along all springs at once that the motion is followed for
+SWING = 0.3  # fraction of the shortest natural length: amplitude of a launch
+PERIODS = 2.0  # periods of an oscillation on all springs in parallel in the default duration
 
 
 class Launch(Part):
@@ -104,7 +104,7 @@ class SpringBlock(Entity):
 
     @classmethod
     def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
-        """Springs that are about as long as they are by themselves, and a launch that does not stretch them far."""
+        """Return springs near their natural lengths, and a launch that stretches them only moderately."""
         block, x, y = drawn["block"], drawn["x"], drawn["y"]
         springs = list[NailedSpring]()
         for spring in drawn["springs"]:
@@ -120,12 +120,12 @@ class SpringBlock(Entity):
         return {"springs": tuple(springs), "launch": rebuilt(launch, **slower)}
 
     def horizon(self, gravity: float) -> float:
-        """Return some periods of the block if all springs lay along one line, s."""
+        """Return some periods of the block as if all springs were along one line, s."""
         del gravity
         return PERIODS * 2.0 * pi * sqrt(self.block.mass / sum(spring.stiffness for spring in self.springs))
 
     def build(self, room: Frame) -> None:
-        """Two slides on the table, and a spring to each nail."""
+        """Build the block with two slides on the table, and a spring to each nail."""
         launch = self.launch or Launch(x=0.0, y=0.0)
         block = room.body("block", self.block.mass, at=(self.x, self.y, 0.0))
         block.slide(X, launch.x, name="x", stated=("x", self.x))

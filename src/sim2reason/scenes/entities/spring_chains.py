@@ -35,7 +35,7 @@ from sim2reason.scenes.entities.parts.friction import two_coefficients
 from sim2reason.scenes.entities.parts.springs import DASHPOTS, STRAIN_SENTENCE, STRAINED, Blow, Strained
 
 WALLS = {"free": 0, "left": 1, "right": 1, "both": 2}
-PERIODS = 1.5  # of the heaviest cart on the softest spring that the motion is followed for
+PERIODS = 1.5  # periods of the heaviest cart on the softest spring in the default duration
 ChainSprings = Annotated[
     tuple[Coil, ...], Len(1, 7), Count(1, 7), Sized(lambda held: len(held["carts"]) - 1 + WALLS[held["ends"]])
 ]
@@ -106,7 +106,7 @@ class SpringMassChain(Entity):
         return PERIODS * 2.0 * pi * sqrt(heaviest / softest)
 
     def build(self, room: Frame) -> None:
-        """Carts at equal distances, each spring from one to the next as long as they are apart, but for its strain."""
+        """Build carts at equal distances, with springs of that length except for their initial strain."""
         along, stops = self.track.along, list[str]()
         if self.ends in ("left", "both"):
             stops.append(room.site("left", at=scale(-self.spacing, along)).address("left"))
@@ -123,7 +123,7 @@ class SpringMassChain(Entity):
             room.spring(f"springs.{index}", *joined, stiffness=spring.stiffness, length=length, damping=damping)
 
 
-LEAST = 0.1  # of the distance between neighbours at the start: no two beads come nearer
+LEAST = 0.1  # fraction of the initial distance between neighbours: smallest distance of two beads
 RingSprings = Annotated[tuple[Coil, ...], Len(2, 6), Count(2, 6), Sized(lambda held: len(held["beads"]))]
 
 
@@ -190,11 +190,11 @@ class SpringMassRing(Entity):
 
     @property
     def _arc(self) -> float:
-        """From a bead to the next at the start, m."""
+        """Return the initial arc between neighbouring beads, m."""
         return 2.0 * pi * self.radius / len(self.beads)
 
     def build(self, room: Frame) -> None:
-        """Beads that turn about the centre; springs along the arcs, each as long as that but for its strain."""
+        """Build beads that rotate about the centre, with springs of the arc length except for their initial strain."""
         frames = list[Frame]()
         for index, bead in enumerate(self.beads):
             turn, struck = 2.0 * pi * index / len(self.beads), self.tap if self.tap and self.tap.bead == index else None

@@ -66,11 +66,11 @@ class AnchoredSpring(Entity):
 
     @classmethod
     def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
-        """Return a spring firm enough for the block, about as long as it is by itself."""
+        """Return a spring that is stiff enough for the block, near its natural length."""
         return fitted_spring(drawn, rng)
 
     def build(self, room: Frame) -> None:
-        """The support at the origin, and the block as far from it as the spring is long."""
+        """Build the support at the origin, and the block at the initial length of the spring from it."""
         way = {"wall": X, "ceiling": scale(-1.0, Z), "floor": Z}[self.support]
         room.site("anchor")
         block = room.body("block", self.block.mass, at=scale(self.start, way))
@@ -111,11 +111,11 @@ class SpringMassIncline(Entity):
 
     @classmethod
     def fitted(cls, drawn: Mapping[str, Any], rng: np.random.Generator) -> Mapping[str, object]:
-        """Return a spring firm enough for the block, about as long as it is by itself."""
+        """Return a spring that is stiff enough for the block, near its natural length."""
         return fitted_spring(drawn, rng)
 
     def build(self, room: Frame) -> None:
-        """The stop at the origin, and the block up the slope from it."""
+        """Build the stop at the origin, and the block up the slope from it."""
         uphill, normal = self.plane.directions()
         room.site("stop")
         block = room.body("block", self.block.mass, at=scale(self.start, uphill))

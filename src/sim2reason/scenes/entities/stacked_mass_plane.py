@@ -23,11 +23,11 @@ from sim2reason.scenes.bodies.sliders import Slab
 from sim2reason.scenes.entities.parts.friction import two_coefficients
 from sim2reason.scenes.entities.parts.mass_systems import FRICTION_ON_PLANE
 
-THICK = 0.4  # m; how much higher than one slab's the strings of the next one are, for looks
+THICK = 0.4  # m; distance between the string levels of successive slabs, for drawings only
 
 
 def frictions(number: str, below: str, above: str) -> dict[str, Word]:
-    """Four ways to tell the friction between two slabs, or that there is none."""
+    """Return the words, in four forms, that state the friction between two slabs or its absence."""
     given, pair = f"{{{number}}}", f"between {{{below}}} and {{{above}}}"
     return {
         f"{number}1": Word(
@@ -111,7 +111,7 @@ class StackedMassPlane(Entity):
         return self
 
     def build(self, room: Frame) -> None:
-        """Each slab rests on the one below; speeds are relative to that, so that the top one starts at rest."""
+        """Build each slab on the one below; speeds are relative to that, so that the top one starts at rest."""
         plane, speed = self.plane, self.speed or 0.0
         lower = self._slab(room, "lower", self.lower, (plane.friction, plane.static_friction))
         upper = self._slab(lower, "upper", self.upper, (self.friction, self.static_friction), speed)

@@ -1,4 +1,4 @@
-"""What a string may end at."""
+"""Entities at the end of a string."""
 
 from math import cos, radians, sin
 from typing import Annotated, Literal
@@ -39,7 +39,7 @@ class ConstantForcePuller(Entity):
     )
 
     def build(self, room: Frame) -> None:
-        """A fixed point at which the string is drawn in."""
+        """Build a fixed point at which a hand pulls the string."""
         room.hand("hand", self.force)
 
 
@@ -58,7 +58,7 @@ class ConstantVelocityPuller(Entity):
     )
 
     def build(self, room: Frame) -> None:
-        """A fixed point at which the string grows shorter."""
+        """Build a fixed point at which a winch shortens the string."""
         room.winch("drum", self.speed)
 
 
@@ -106,7 +106,7 @@ class DirectedMass(Entity):
     )
 
     def build(self, room: Frame) -> None:
-        """The block at the origin, on a slide that holds it both ways, and two points round which the strings go."""
+        """Build the block at the origin, on a two-sided slide, and two points round which the strings go."""
         room.body("block", self.block.mass).slide(X).site("left_hook").site("right_hook")
         for way, name in ((-1.0, "left"), (1.0, "right")):
             distance, angle, side = (getattr(self, f"{name}_{field}") for field in ("distance", "angle", "side"))
@@ -128,7 +128,7 @@ class FixedSupport(Entity):
     )
 
     def build(self, room: Frame) -> None:
-        """A point of the room."""
+        """Build a fixed point."""
         room.site("hook")
 
 
@@ -143,5 +143,5 @@ class HangingMass(Entity):
     end = Chain(stops=("system.tail",), required=True)
 
     def build(self, room: Frame) -> None:
-        """The load itself."""
+        """Build the mass system."""
         self.system.build(room.part("system"))

@@ -1,4 +1,4 @@
-"""Pucks that slide and bounce on a smooth table, level or tilted."""
+"""Pucks that slide and collide on a smooth table, level or tilted."""
 
 from collections.abc import Mapping
 from itertools import combinations
@@ -39,13 +39,13 @@ WallY = Annotated[float, Ge(-1e3), Le(1e3), Measure("position of a wall", "m", "
 Index = Annotated[int, Ge(0), Le(5), Member("pucks")]
 
 
-TOUCHING = 1e-9  # m; what rounding leaves of no distance
-SLOWEST = 0.5  # m/s, of a puck that moves towards another
-PASSES, SHORTEST, LONGEST = 4.0, 2.0, 20.0  # of the fastest puck over the table; and s
+TOUCHING = 1e-9  # m; smaller distances are round-off
+SLOWEST = 0.5  # m/s, least speed of a puck towards another
+PASSES, SHORTEST, LONGEST = 4.0, 2.0, 20.0  # passes of the fastest puck over the table in the default duration, and s
 
 
 WALLS = {("x", -1.0): "left", ("x", 1.0): "right", ("y", -1.0): "bottom", ("y", 1.0): "top"}
-"""The fields of walls, by the axis along which they stand, and the side of the table."""
+"""The fields of walls, by the axis perpendicular to them and the side of the table."""
 
 
 class PairRestitution(Part):
@@ -189,7 +189,7 @@ class TwoDCollisionPlane(Entity):
         return [(axis, side, place) for axis, side, place in found if place is not None]
 
     def build(self, room: Frame) -> None:
-        """Point-like bodies with two slides in the table, y up its slope; every pair may bounce."""
+        """Build point-like bodies with two slides in the table, y up its slope; every pair may collide."""
         tilt = radians(self.table.angle)
         upslope = (0.0, cos(tilt), sin(tilt))
         special = {(pair.first, pair.second): pair.restitution for pair in self.pairs}

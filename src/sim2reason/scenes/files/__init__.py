@@ -1,4 +1,4 @@
-"""Scenes as files: strict YAML in the paper's shape, its JSON schema, and the page that tells the format."""
+"""Scene files: strict YAML, its JSON schema, and the page that documents the format."""
 
 from sim2reason.scenes.files.given import GivenScene, SceneLike, given_scene, scene_of
 from sim2reason.scenes.files.mapping import dump, load, loads, told

@@ -1,4 +1,4 @@
-"""The scenes that callers pass: objects, paths of files, YAML texts, or problems about a scene."""
+"""Conversion of arguments of public functions to scenes: objects, file paths, YAML texts or problems."""
 
 from pathlib import Path
 from typing import NamedTuple, Protocol, runtime_checkable
@@ -21,7 +21,7 @@ class AboutScene(Protocol):
 
 
 SceneLike = Scene | Path | str | AboutScene
-"""A scene, the path of its file, its YAML text, an item about it, or a text that was read."""
+"""A scene, the path of its file, its YAML text, an item about it, or a parsed text."""
 
 
 class GivenScene(NamedTuple):

@@ -67,7 +67,7 @@ def load(source: str | Path) -> Scene:
 
 
 def loads(text: str) -> Scene:
-    """Read a scene from YAML text, even if it looks like a path; errors as in `load`."""
+    """Read a scene from YAML text, never from a path; errors as in `load`."""
     data = parse(text)
     try:
         return _scene(data)
@@ -127,7 +127,7 @@ def _told_entity(named: Named) -> dict[str, Plain]:
 
 
 def told(value: Any, *, kind: bool = False) -> Plain:
-    """Return a value as a file has it; `kind`: its class must be said."""
+    """Return a value as in a scene file; with `kind`, including the name of its class."""
     if isinstance(value, tuple):
         return [told(member, kind=kind) for member in value]  # type: ignore[reportUnknownVariableType]
     if not isinstance(value, Model):
@@ -141,7 +141,7 @@ def told(value: Any, *, kind: bool = False) -> Plain:
 
 
 class _Slot(NamedTuple):
-    """What a field of a model can hold."""
+    """The values that a field of a model can hold."""
 
     models: dict[str, type[Model]]  # by kind
     many: bool
@@ -160,7 +160,7 @@ def _slots(cls: type[Model]) -> dict[str, _Slot]:
 
 
 def _with_line(place: str, text: str) -> str:
-    """Return a path with the line where it stands, or where what lacks it begins; found by reading once more."""
+    """Return a path with its line in the text, found by parsing again."""
     lines: Lines = {}
     parse(text, lines)
     known = place
@@ -229,7 +229,7 @@ def _classes(entities: tuple[Named, ...]) -> dict[str, type[Entity]]:
 
 
 def _types() -> dict[str, type[Entity]]:
-    """Entity classes by every name that a file may use: ``FixedSupport`` and ``fixed_support``."""
+    """Return entity classes by every name allowed in files: ``FixedSupport`` and ``fixed_support``."""
     return {snake(name): cls for name, cls in ENTITIES.items()} | dict(ENTITIES)
 
 
@@ -243,7 +243,7 @@ def _class(name: str, place: str) -> type[Entity]:
 
 
 def _made(cls: type[M], data: Plain, place: str, given: dict[str, object] | None = None) -> M:
-    """Return a model from what a file says of it, and what else is known."""
+    """Return a model from its data in a file and other known fields."""
     slots = _slots(cls)
     held = _mapping(data, place, tuple(name for name in slots if name not in (given or {})))
     values: dict[str, object] = {name: _value(slots[name], v, f"{place}.{name}") for name, v in held.items()}
@@ -278,7 +278,7 @@ def _one(slot: _Slot, data: Plain, place: str) -> object:
 
 
 def _mapping(data: Plain, place: str, keys: tuple[str, ...], *, root: bool = False) -> dict[str, Plain]:
-    """Return a mapping that has no other keys."""
+    """Return a mapping; raise SceneError for an unknown key."""
     listed = ", ".join(keys) or "none"
     if not isinstance(data, dict):
         problem = "it is missing" if data is None else f"it is {shown(data)}, not a mapping"
@@ -309,7 +309,7 @@ def _glued(body: dict[str, Plain]) -> tuple[str, ...]:
 
 
 def _file_place(place: str, entities: tuple[Named, ...], connections: dict[str, str]) -> str:
-    """Return a place that a scene names, as the path in its file."""
+    """Return a place named by a scene, as the path in its file."""
     head, *rest = place.split(".")
     if head in connections:
         return connections[head]

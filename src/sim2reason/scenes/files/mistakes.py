@@ -1,4 +1,4 @@
-"""Errors of scene files with place, problem and remedy, and other spellings that files may use."""
+"""Errors of scene files with path, problem and remedy, and alternative spellings in files."""
 
 import re
 from collections.abc import Collection, Mapping
@@ -33,7 +33,7 @@ _SUBPATH = re.compile(r"([a-z_]+(?:\.[a-z0-9_]+)*): (.*)", re.DOTALL)
 
 
 def explained(cls: type[Model], error: ValidationError, place: str) -> SceneError:
-    """Return the first mistake in a value of `cls` at `place`, and how many more there are."""
+    """Return the first error in a value of `cls` at `place`, and the number of further errors."""
     details = error.errors(include_url=False)
     first = details[0]
     where = place + "".join(f"[{step}]" if isinstance(step, int) else f".{step}" for step in first["loc"])
@@ -44,7 +44,7 @@ def explained(cls: type[Model], error: ValidationError, place: str) -> SceneErro
 
 
 def _own(message: str, place: str) -> SceneError:
-    """Return a validator's message: it may begin with where, and end with what to do."""
+    """Return the error of a validator's message, which may begin with a path and end with a remedy."""
     if found := _SUBPATH.fullmatch(message):
         steps, message = found.groups()
         place += "".join(f"[{step}]" if step.isdigit() else f".{step}" for step in steps.split("."))
@@ -70,18 +70,18 @@ def _remedy(cls: type[Model], detail: ErrorDetails) -> str:
 
 HANGING = "Mass"
 MASS_TYPE, MASS_VALUES = "mass_type", "mass_values"
-LONGEST = 40  # letters of a name
+LONGEST = 40  # largest number of characters of a name
 
 
 @dataclass(frozen=True, slots=True)
 class Respelled:
-    """Parameters in this format's spelling, and where the file has what now stands elsewhere."""
+    """Parameters in the canonical spelling, with the original paths of moved values."""
 
     parameters: Plain
     places: dict[str, str]
 
     def in_file(self, place: str) -> str:
-        """Return the path in the file of a path in the parameters."""
+        """Return the path in the file for a path in the parameters."""
         for new, old in self.places.items():
             if place == new or place.startswith((f"{new}.", f"{new}[")):
                 return old + place.removeprefix(new).removesuffix(".mass")
@@ -89,21 +89,21 @@ class Respelled:
 
 
 def plain_name(name: Plain) -> Plain:
-    """Return a title such as ``Pulley System`` as a name, ``pulley_system``; what is none already is left as it is."""
+    """Return a title such as ``Pulley System`` as a name, ``pulley_system``; other values are unchanged."""
     if not isinstance(name, str):
         return name
     return re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_")[:LONGEST] if re.search(r"[A-Z ]", name) else name
 
 
 def check_position(position: Plain, place: str) -> None:
-    """Three numbers, m; they are for looks, and nothing follows from them."""
+    """Raise SceneError unless a position consists of three numbers, m; positions have no effect."""
     numbers = position if isinstance(position, list) else []
     if len(numbers) != 3 or not all(isinstance(n, int | float) and not isinstance(n, bool) for n in numbers):
         raise SceneError(place, f"it is {shown(position)}, not a place", "give three numbers, as [0, 2, 0]")
 
 
 def respelled(cls: type[Entity], parameters: Plain, place: str) -> Respelled:
-    """Parameters with the masses where the class has them."""
+    """Return parameters with the masses moved to the fields of the class."""
     if not isinstance(parameters, dict) or not {MASS_TYPE, MASS_VALUES} & set(parameters):
         return Respelled(parameters, {})
     held = holders(cls)
@@ -144,7 +144,7 @@ def _shared(value: Plain, count: int, place: str) -> list[str]:
 
 
 def _masses(value: Plain, count: int, place: str) -> list[tuple[str, list[Plain]]]:
-    """Return the masses of each system with the path in the file; of several systems each may be a number or a list."""
+    """Return the masses of each system with the path in the file; each may be a number or a list."""
     if not isinstance(value, list):
         problem = "it is missing" if value is None else f"it is {shown(value)}, not a list"
         raise SceneError(place, problem, "list the masses in kg, as [10] or [2.0, 3.0]")
@@ -157,7 +157,7 @@ def _masses(value: Plain, count: int, place: str) -> list[tuple[str, list[Plain]
 
 
 class _System(NamedTuple):
-    """The kind of a system as a file says it, and the keys that it has."""
+    """The kind of a system as written in a file, and its keys."""
 
     said: dict[str, Plain]
     keys: Collection[str]

@@ -1,4 +1,4 @@
-"""The page on scene files, ``docs/scene-format.md``, written from the same declarations as the schema."""
+"""Generation of ``docs/scene-format.md`` from the same declarations as the schema."""
 
 from collections.abc import Iterator
 from typing import cast
@@ -71,7 +71,7 @@ scene:
 
 
 def format_page() -> str:
-    """Return the whole page."""
+    """Return the text of the whole page."""
     return "\n".join([HEAD, *_page()]) + "\n"
 
 
@@ -101,7 +101,7 @@ def _section(
 
 
 def _table(cls: type[Model], found: dict[str, type[Model]], only: list[str] | None = None) -> Iterator[str]:
-    """Yield the fields of a class; the classes that they hold are noted in `found`, and theirs."""
+    """Yield the rows of the fields of a class; classes that they hold are added to `found`."""
     known = [field for field in fields(cls) if only is None or field.name in only]
     if not known:
         return
@@ -135,7 +135,7 @@ def _unit(field: Field) -> str:
 
 
 def _valid(field: Field) -> str:
-    """Return the limits, without what the other columns say; or the words that may stand there."""
+    """Return the limits or the allowed words of a field, without facts in other columns."""
     said = words(field.schema)
     return said if said.startswith("one of: ") else said.partition(", ")[2]
 
@@ -148,7 +148,7 @@ def _default(cls: type[Model], field: Field) -> str:
 
 
 def _ports(cls: type[Entity]) -> Iterator[str]:
-    """Yield the directions of an entity and what a connection does there."""
+    """Yield the directions of an entity and the use of each port."""
     ports = outer_ports(cls)
     if not ports:
         return
@@ -159,7 +159,7 @@ def _ports(cls: type[Entity]) -> Iterator[str]:
 
 
 def _use(port: Port, name: str) -> str:
-    """Return what a connection does at a port."""
+    """Return the use of a port by a connection."""
     match port:
         case Pass():
             return f"side of `{name}`, which a string passes"

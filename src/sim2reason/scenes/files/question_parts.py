@@ -1,4 +1,4 @@
-"""The question in a scene file, given as a sentence or in parts."""
+"""The question in a scene file, given as a sentence or as a mapping."""
 
 from sim2reason.base.yaml_text import Plain, parse, shown
 from sim2reason.errors import SceneError

@@ -35,7 +35,7 @@ QUESTION: Json = {
     "required": ["find"],
     "additionalProperties": {"type": ["string", "number"]},
 }
-TITLE = r"^[A-Za-z][A-Za-z0-9_ ]{0,39}$"  # of a scene: its name, or words that make one
+TITLE = r"^[A-Za-z][A-Za-z0-9_ ]{0,39}$"  # of a scene: its name, or a title
 MASSES: Json = {
     "type": "object",
     "description": "The masses by their type, and what else the entity has.",
@@ -46,13 +46,13 @@ MASSES: Json = {
 
 @cache
 def snake(name: str) -> str:
-    """Return the name of a class as the catalogue has it: ``OnPlane`` becomes ``on_plane``."""
+    """Return the snake-case name of a class: ``OnPlane`` becomes ``on_plane``."""
     return re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()
 
 
 @cache
 def holders(cls: type[Entity]) -> dict[str, dict[str, type[Model]]]:
-    """Return the fields that hold a system of blocks, each with the kinds that it can be."""
+    """Return the fields that hold a system of blocks, each with its allowed kinds."""
     found = {name: {snake(m.__name__): m for m in kind.models} for name, kind in field_types(cls).items()}
     return {
         name: kinds
@@ -107,7 +107,7 @@ def schema() -> Json:
 
 @dataclass(frozen=True, slots=True)
 class Field:
-    """What a file may say for one field: its schema, and in words for people."""
+    """The documentation of one field in a file: its schema and a description in words."""
 
     name: str
     schema: Json
@@ -126,19 +126,19 @@ def fields(cls: type[Model], parts: "_Definitions | None" = None) -> Iterator[Fi
 
 
 def _metadata(info: FieldInfo) -> list[object]:
-    """Return what is said of a field, inside of `X | None` too."""
+    """Return the metadata of a field's annotation, including that inside of `X | None`."""
     inner = [item for argument in get_args(info.annotation) for item in getattr(argument, "__metadata__", ())]
     return [*info.metadata, *inner]
 
 
 class _Definitions:
-    """Bodies and parts, each described once and referred to by name."""
+    """The definitions of bodies and parts in the schema, referred to by name."""
 
     def __init__(self) -> None:
         self.found: Json = {}
 
     def model(self, cls: type[Model], *, kind: bool = False) -> Json:
-        """Return a reference to a class; `kind`: it stands among others and must say which it is."""
+        """Return a reference to a class; with `kind`, its instances must name the class."""
         name = cls.__name__ + ("Kind" if kind else "")
         if name not in self.found:
             self.found[name] = {}  # it may hold itself
@@ -152,7 +152,7 @@ class _Definitions:
 
 
 def summary(cls: type) -> str:
-    """Return the first sentence of what a class says of itself."""
+    """Return the first sentence of the docstring of a class."""
     return " ".join((inspect.getdoc(cls) or "").partition("\n\n")[0].split())
 
 
@@ -170,7 +170,7 @@ def _field(info: FieldInfo, parts: _Definitions) -> Json:
 
 
 def _annotation(annotation: Any, parts: _Definitions) -> Json:
-    """Return the schema of a type; TypeError for one that files can't hold."""
+    """Return the schema of a type; raise TypeError if files cannot contain it."""
     origin, arguments = get_origin(annotation), get_args(annotation)
     if annotation in BASIC:
         return dict(BASIC[annotation])
@@ -203,7 +203,7 @@ def _member(annotation: Any, parts: _Definitions, *, kind: bool = False) -> Json
 
 
 def _constrained(found: Json, metadata: Any) -> Json:
-    """Return a schema with the limits and the meaning that an annotation adds."""
+    """Return a schema with the limits and the description from an annotation."""
     for item in metadata:
         match item:
             case Gt(gt=limit):

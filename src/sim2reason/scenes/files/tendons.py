@@ -1,4 +1,4 @@
-"""Strings in files: the paper's pairs of ends, and the paths that they stand for.
+"""Strings in scene files: conversion between pairs of ends and paths.
 
 A file names the two ends of each straight piece. A string that passes a movable pulley is several pairs, which meet
 at the pulley's two sides; in a scene it is one connection, a path through ports.
@@ -17,7 +17,7 @@ from sim2reason.scenes.dsl.entity import Entity, outer_ports
 from sim2reason.scenes.dsl.ports import Pass
 
 END_KEYS = ("entity", "direction", "connecting_point")
-WAYS = ("inner_to_outer", "outer_to_inner")  # along the string: the end that leads there
+WAYS = ("inner_to_outer", "outer_to_inner")  # along the string: the end in that direction
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,7 +32,7 @@ class FileEnd:
 
 @dataclass(frozen=True, slots=True)
 class FilePair:
-    """One entry of `connections`, with what stands beside its two ends."""
+    """One entry of `connections`, with the parameters beside its two ends."""
 
     kind: type[Connection]
     ends: tuple[FileEnd, FileEnd]
@@ -42,7 +42,7 @@ class FilePair:
 
 @dataclass(frozen=True, slots=True)
 class Path:
-    """Pairs that make one connection, in the order of travel; `first` is the place of the one that came first."""
+    """The pairs of one connection, in the order of travel; `first` is the index of the first in the file."""
 
     kind: type[Connection]
     links: tuple[Link, ...]
@@ -52,7 +52,7 @@ class Path:
 
 @cache
 def directions(cls: type[Entity]) -> dict[tuple[str, str], tuple[str, int | None]]:
-    """Return what a file may say for the ports of an entity: (direction, connecting_point or "") to (port, side).
+    """Return the spellings of an entity's ports: (direction, connecting_point or "") to (port, side).
 
     An end is entered by its name. A side of a passed port is entered by its own name, if no other port or side has
     it, or as connecting_point beside the port's name.
@@ -72,7 +72,7 @@ def directions(cls: type[Entity]) -> dict[tuple[str, str], tuple[str, int | None
 
 
 def told_end(entity: str, cls: type[Entity], port: str, side: int | None) -> dict[str, Plain]:
-    """Return an end as a file has it, by the shortest of its names."""
+    """Return an end as in a scene file, by its shortest name."""
     names = [said for said, meant in directions(cls).items() if meant == (port, side)]
     direction, point = min(names, key=lambda said: bool(said[1]))
     found: dict[str, Plain] = {"entity": entity, "direction": direction}
@@ -80,7 +80,7 @@ def told_end(entity: str, cls: type[Entity], port: str, side: int | None) -> dic
 
 
 def told_pairs(connection: Connection, classes: Mapping[str, type[Entity]]) -> list[list[Plain]]:
-    """Return a connection as pairs, in the order of travel."""
+    """Return a connection as pairs of ends, in the order of travel."""
     first, *inner, last = connection.links
     ends = [told_end(first.entity, classes[first.entity], first.port, None)]
     for link in inner:
@@ -91,7 +91,7 @@ def told_pairs(connection: Connection, classes: Mapping[str, type[Entity]]) -> l
 
 
 def read_pair(entry: Plain, place: str, classes: Mapping[str, type[Entity]]) -> FilePair:
-    """Return an entry of `connections`, without its own parameters' values checked."""
+    """Return an entry of `connections`, without validating the values of its parameters."""
     if not isinstance(entry, dict):
         raise SceneError(place, "it is no mapping", "write it as: - tendon: [{entity: …, direction: …}, …]")
     keys = [key for key in entry if key in CONNECTIONS]
@@ -133,7 +133,7 @@ def _end(end: Plain, place: str, classes: Mapping[str, type[Entity]]) -> FileEnd
 
 
 def _named(direction: str, point: str, known: Mapping[tuple[str, str], tuple[str, int | None]]) -> tuple[str, str]:
-    """A way along the string, from an entity or to it, as the end that is meant: the only one, or the point said."""
+    """Return the end meant by a direction along the string: the only end, or the named point."""
     ends = [name for (name, side), (_, passed) in known.items() if not side and passed is None]
     if direction not in WAYS or (not point and len(ends) != 1):
         return direction, point
@@ -149,9 +149,9 @@ def _text(end: dict[str, Plain], key: str, place: str) -> str:
 
 
 def paths(pairs: list[FilePair]) -> Iterator[Path]:
-    """Yield the connections that pairs make, in the order in which the file begins them.
+    """Yield the connections that pairs form, in the order of their first pairs in the file.
 
-    A path is travelled as the first of its pairs is written.
+    A path is travelled in the direction of the first of its pairs.
     """
     by_end: dict[tuple[str, str, int | None], tuple[int, int]] = {}
     for number, pair in enumerate(pairs):
@@ -173,7 +173,7 @@ def paths(pairs: list[FilePair]) -> Iterator[Path]:
 def _onward(
     number: int, leaves: int, pairs: list[FilePair], by_end: Mapping[tuple[str, str, int | None], tuple[int, int]]
 ) -> list[tuple[int, int]]:
-    """The pairs that follow a pair beyond one of its ends, each with the index of the end where it is entered."""
+    """Return the pairs beyond one end of a pair, each with the index of the end where it is entered."""
     found: list[tuple[int, int]] = []
     end = pairs[number].ends[leaves]
     while end.side is not None:
@@ -190,7 +190,7 @@ def _onward(
 
 
 def _path(first: FilePair, travelled: list[tuple[FilePair, int]]) -> Path:
-    """Return one connection from pairs in the order of travel, each with the index of the end where it begins."""
+    """Return one connection from pairs in the order of travel, each with the index of its first end."""
     own: dict[str, Plain] = {}
     for pair, _ in travelled:
         if pair.kind is not first.kind:
@@ -208,7 +208,7 @@ def _path(first: FilePair, travelled: list[tuple[FilePair, int]]) -> Path:
 
 
 def _link(end: FileEnd, *, passed: bool = True) -> Link:
-    """Return the link of an end; of a passed port it is the side where the string leaves, so 0 means flipped."""
+    """Return the link of an end; the side of a passed port is where the string leaves, so 0 means flipped."""
     return Link(entity=end.entity, port=end.port, flipped=passed and end.side == 0)
 
 

@@ -1,4 +1,4 @@
-"""How a problem tells its scene: what a scene file says of that beside the scene, so that figures can agree with it.
+"""The wording of a problem in a scene file, so that figures can agree with the text.
 
 text:
   wording: 1234
@@ -35,15 +35,15 @@ TEXT: dict[str, Any] = {
         },
     },
 }
-"""The schema of what a file says of it."""
+"""The JSON schema of the key ``text``."""
 
 
 @dataclass(frozen=True, slots=True)
 class Wording:
-    """The text that belongs to a scene.
+    """The wording of the text of a scene.
 
-    `seed` is that of its wording, on which names depend; at the addresses in `symbols` it says symbols, not numbers, as
-    of what the problem asks for; it is `without` what some topics are about.
+    `seed` selects the wording and the names; at the addresses in `symbols` the text has symbols instead of numbers, as
+    for unknowns; sentences on the topics in `without` are omitted.
     """
 
     seed: int = 0
@@ -52,7 +52,7 @@ class Wording:
 
     @property
     def plain(self) -> dict[str, Plain]:
-        """Return the mapping that stands in a file under ``text``."""
+        """Return the mapping under the key ``text`` of a file."""
         found: dict[str, Plain] = {"wording": self.seed}
         if self.symbols:
             found["symbols"] = list[Plain](self.symbols)
@@ -62,17 +62,17 @@ class Wording:
 
 
 def wording_of(text: str) -> Wording | None:
-    """Return what a scene file says of its text; None if it says nothing.
+    """Return the wording in a scene file; None if it has none.
 
     Raises:
-        SceneError: what is wrong with it, where, and what to do about it.
+        SceneError: the value is invalid; the message has path, problem and remedy.
     """
     data = parse(text)
     return wording_from(data["text"]) if isinstance(data, dict) and "text" in data else None
 
 
 def wording_from(data: Plain) -> Wording:
-    """Return what stands under the key ``text`` of a scene file; SceneError as `wording_of`."""
+    """Return the wording from the value of the key ``text``; errors as in `wording_of`."""
     if not isinstance(data, dict):
         raise SceneError("text", f"it is {shown(data)}, not a mapping", f"give it these keys: {', '.join(KEYS)}")
     for key in data:

@@ -1,1 +1,1 @@
-"""The engines: one module or package each, a function from a mechanism and times to a trace."""
+"""The engines: each is a function from a mechanism and sample times to a trace."""

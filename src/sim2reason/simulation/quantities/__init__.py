@@ -1,4 +1,4 @@
-"""What can be recorded, asked and plotted of a motion, each a function of the state alone."""
+"""Physical quantities that can be recorded, asked about and plotted, each a function of the state alone."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
@@ -14,43 +14,43 @@ from sim2reason.simulation.quantities.subjects import Sense, Subject
 
 
 class Quantity(ABC):
-    """A quantity of every subject of one kind. All that the library knows of it stands on its class.
+    """A physical quantity of every subject of one kind, declared by class attributes.
 
-    What it is:
+    Identity:
         name, unit, symbol: the unit is canonical SI, the symbol one letter.
-        of: the kind of subject that it belongs to.
-        vector: whether it has three components, in room coordinates.
-        along: whether it is a number whose sign refers to a direction of its subject, as an extension's to *stretched*.
+        of: the kind of subject to which the quantity belongs.
+        vector: whether it has three components, in the axes of the world frame.
+        along: whether its sign refers to a direction of its subject, as that of an extension to *stretched*.
 
-    How it is phrased; a quantity without words is recorded, but never asked. Templates name the subject by its
-    slot, ``{body}``, and may use what it fills besides, such as ``{ground}``:
+    Phrases; a quantity without phrases is recorded, but never asked about. Templates name the subject by its
+    slot, ``{body}``, and may use the extra placeholders of its kind, such as ``{ground}``:
         magnitude: the noun phrase of its size.
-        signed: that with a sign; of a vector it is a component, named by ``{component}``.
-        how: a question of its own, with ``{when}``: *how fast is … 2 s after release?* It asks for the size, or for
-            what has a sign where there is no phrase for the size; with `over` it is asked over a stretch alone.
-        over: the noun phrase of its size over a stretch, where that reads better than *since the start* at a moment.
-        indirect: the same as a clause: *how fast … is moving*.
+        signed: the noun phrase of its signed value; of a vector, that of a component, named by ``{component}``.
+        how: a complete question with ``{when}``: *how fast is … 2 s after release?* It asks for the size, or for
+            the signed value if there is no phrase for the size; with `over` it is used for intervals only.
+        over: the noun phrase of its size over an interval, if that reads better than *since the start* at a moment.
+        indirect: the same question as a clause: *how fast … is moving*.
         states: a statement that its size is ``{value}``: *… is moving at 2 m/s*.
-        sense: what is positive, where that is not a matter of the subject's directions, as in an increase.
-        center: whether it belongs to one point of its subject, the centre of mass of what has a size.
+        sense: the positive sense, if it does not depend on directions of the subject, as for an increase.
+        center: whether it belongs to one point of its subject, the centre of mass of an extended body.
 
-    When it is asked:
-        weight: how often, compared with other quantities.
-        drawn_by_recipes: whether recipes ask for it; if not, only people do.
-        needs: what its subject must have and the text must say, such as ``mass``.
-        given: whether the text gives it at the start.
-        immediate: whether it can differ from zero at once, and hangs on more than what the text gives.
+    Selection:
+        weight: relative frequency among the quantities.
+        drawn_by_recipes: whether recipes ask for it; if not, only users do.
+        needs: properties that its subject must have and the text must state, such as ``mass``.
+        given: whether the text gives its initial value.
+        immediate: whether it can be nonzero at the start, and depends on more than the given numbers.
         timeless: whether it never changes, so that no question names a moment.
-        from_start: whether it is measured from where the motion starts.
+        from_start: whether it is measured from the initial position.
 
-    How small is nothing:
-        floor: the certificate's smallest scale, in SI units; with `heavy` it is that times the largest mass in kg.
+    Thresholds:
+        floor: the certificate's smallest scale, in SI units; with `heavy` it is multiplied by the largest mass in kg.
         least: the smallest answer, in SI units.
 
-    Where it is plotted:
+    Plots:
         panel: the panel, which quantities of one unit may share; empty for none.
-        pooled: whether the panel shows the sum over all of the text, not one curve for each.
-        order: its place in panels and among what is asked of a subject.
+        pooled: whether the panel shows the sum over all subjects in the text instead of a curve for each.
+        order: its rank in panels and among the quantities of a subject.
     """
 
     name: ClassVar[str]
@@ -82,7 +82,7 @@ class Quantity(ABC):
     order: ClassVar[int] = 100
 
     def __init_subclass__(cls) -> None:
-        """Refuse a declaration that lacks a fact, or whose words do not fit; TypeError says what is amiss."""
+        """Validate the declaration of a subclass; raise TypeError if an attribute is missing or a template is wrong."""
         if cls.evaluate is Quantity.evaluate:
             return  # what several share
         missing = [fact for fact in ("name", "unit", "symbol", "of", "floor") if not hasattr(cls, fact)]
@@ -101,7 +101,7 @@ class Quantity(ABC):
 
     @classmethod
     def _check(cls, fact: str, beside: set[str]) -> None:
-        """The placeholders of a template are the subject's and those `beside` it, all of them, and maybe its extras."""
+        """Raise TypeError if a template lacks a placeholder of the subject or of `beside`, or has an unknown one."""
         template: str = getattr(cls, fact)
         used = {name for _, name, _, _ in Formatter().parse(template) if name is not None}
         wanted = {cls.of.slot, *beside}
@@ -111,10 +111,10 @@ class Quantity(ABC):
     @staticmethod
     @abstractmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return its values at n instants: (n,), or (n, 3) of a vector, in room coordinates."""
+        """Return the values at n instants, (n,), or (n, 3) for a vector in the axes of the world frame."""
 
     def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return the names that `evaluate` takes, in the order of the mechanism: those of its kind that fit."""
+        """Return the names of all subjects that have the quantity, in the order of the mechanism."""
         return tuple(name for name in self.of.names(mechanism) if self.fits(mechanism, name))
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
@@ -123,7 +123,7 @@ class Quantity(ABC):
         return True
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Return whether it is worth asking of one subject, as friction is on a rough face; so by default."""
+        """Return whether questions may ask for it of a subject, as for friction on a rough face; by default True."""
         del mechanism, name
         return True
 
@@ -133,23 +133,23 @@ class Quantity(ABC):
         return self.magnitude, self.how, self.indirect, self.states
 
     def signed_along(self, sense: Sense, mechanism: Mechanism, name: str) -> str:
-        """Return the template for the component along a sense; by default `signed`, whatever the sense."""
+        """Return the template for the component along a sense; by default `signed` for every sense."""
         del sense, mechanism, name
         return self.signed
 
     def share(self, sense: Sense | None, mechanism: Mechanism, name: str) -> float:
-        """Return how often its component along a sense, or its size, is asked for, compared with one another."""
+        """Return the relative frequency of questions for the component along a sense, or for the size if it is None."""
         del mechanism, name
         return sense.share if sense is not None else 1.0
 
     @property
     def summary(self) -> str:
-        """Its facts in one line."""
+        """Return the unit, symbol and kind of subject in one line."""
         return f"unit {self.unit}, symbol {self.symbol}, of {self.of.name}"
 
 
 def _remembered(name: str, evaluate: Callable[[State, str], Array]) -> Callable[[State, str], Array]:
-    """Return the same, worked out once for each state: many quantities are read off a few others."""
+    """Return a cached `evaluate`, computed once for each state, since several quantities share others."""
 
     @wraps(evaluate)
     def read(state: State, subject: str) -> Array:
@@ -166,11 +166,11 @@ QUANTITIES: Registry[Quantity] = Registry("quantities", package="sim2reason.simu
 
 
 def quantity(cls: type[Q]) -> type[Q]:
-    """Enter a quantity under its name."""
+    """Register a quantity under its name."""
     QUANTITIES.add(cls.name, cls())
     return cls
 
 
 def ordered() -> list[Quantity]:
-    """Return all quantities by kind of subject, each kind's by their order."""
+    """Return all quantities, sorted by kind of subject and by order."""
     return sorted(QUANTITIES.values(), key=lambda found: (found.of.name, found.order))

@@ -16,7 +16,7 @@ from sim2reason.simulation.quantities.subjects.paths import center_path, is_weld
 
 
 class Energy(Quantity):
-    """What all energies of a body share."""
+    """Base class of the energies of a body."""
 
     of = Bodies()
     unit = "J"
@@ -26,18 +26,18 @@ class Energy(Quantity):
 
 @quantity
 class KineticEnergy(Energy):
-    """The kinetic energy of a body alone, that of its turning included."""
+    """The kinetic energy of a single body, including that of its rotation."""
 
     name, symbol = "kinetic energy", "K"
     magnitude = "the kinetic energy of {body}{ground}"
     how = "how much kinetic energy does {body} have{ground} {when}?"
     given = True
-    weight = 0.15  # of one body it is seldom more than its speed in another guise
+    weight = 0.15  # of one body it is seldom more than a function of its speed
     panel, pooled, order = "energy", True, 5
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """K = ½ m v² + ½ ω·Iω (König), (n,), with its own inertia about its centre of mass."""
+        """Return K = ½ m v² + ½ ω·Iω (König) in J, (n,), with the body's own inertia about its centre of mass."""
         moving = TranslationalEnergy.evaluate(state, subject)
         if state.frames[subject].spin is None:
             return moving
@@ -45,15 +45,15 @@ class KineticEnergy(Energy):
 
 
 class EnergyOfTurning(Energy):
-    """A part of the kinetic energy of a body that turns."""
+    """Base class of the translational and rotational parts of the kinetic energy of a rotating body."""
 
     weight = 0.1
     given = True
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Return whether the body turns and has a moment of inertia, so that the parts differ from the whole.
+        """Return whether the body rotates and has a moment of inertia, so that the parts differ from the total.
 
-        Of a part of a rigid body nobody asks for them.
+        It is False for a body welded to others.
         """
         turns = any(mechanism.body[name].inertia) and bool(center_path(mechanism, name).turns)
         return turns and not is_welded_part(mechanism, name)
@@ -69,45 +69,45 @@ class TranslationalEnergy(EnergyOfTurning):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """½ m v², (n,)."""
+        """Return ½ m v² in J, (n,)."""
         speed = Velocity.evaluate(state, subject)
         return 0.5 * state.mass(subject) * np.einsum("ij,ij->i", speed, speed)
 
 
 @quantity
 class RotationalEnergy(EnergyOfTurning):
-    """The kinetic energy of turning about the centre of mass."""
+    """The kinetic energy of rotation about the centre of mass."""
 
     name, symbol = "rotational kinetic energy", "K"
     magnitude = "the rotational kinetic energy of {body} about its centre of mass"
     order = 7
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
-        """Return whether the body turns and has a moment of inertia."""
+        """Return whether the body rotates and has a moment of inertia."""
         return self.present(mechanism, name)
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """½ ω·Iω, (n,)."""
+        """Return ½ ω·Iω in J, (n,)."""
         omega, momentum = AngularVelocity.evaluate(state, subject), AngularMomentum.evaluate(state, subject)
         return 0.5 * np.einsum("ij,ij->i", omega, momentum)
 
 
 @quantity
 class PotentialEnergy(Energy):
-    """The gravitational potential energy of a body less that at the start, in a uniform field or near what is fixed."""
+    """The gravitational potential energy of a body minus its initial value, in a uniform field or near fixed bodies."""
 
     name, symbol = "potential energy", "U"
     over = "the magnitude of the change in {body}'s gravitational potential energy"
     how = "by how much does the gravitational potential energy of {body} change {when}?"
     magnitude = f"{over} since the start"
-    weight = 0.02  # of one body it is seldom of use by itself
+    weight = 0.02  # of one body it is seldom useful by itself
     from_start = True
     panel, pooled, order = "energy", True, 8
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """−m g·s, and −G m M/r of each body at rest that attracts it, less their values at the start, (n,)."""
+        """Return −m g·s, and −G m M/r for each attracting body at rest, minus their initial values, in J, (n,)."""
         rise = -(Displacement.evaluate(state, subject) @ np.array(state.mechanism.gravity))
         total = state.mass(subject) * rise
         for pull, other in _pulls(state.mechanism, subject):
@@ -115,7 +115,7 @@ class PotentialEnergy(Energy):
         return total
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """What rises or falls has any, and what only bodies at rest attract; a pair that moves has it in common."""
+        """Return whether the body rises or falls, or is attracted only by bodies at rest."""
         if any(burn.body == name for burn in mechanism.burns):
             return False
         pulls = _pulls(mechanism, name)
@@ -125,12 +125,12 @@ class PotentialEnergy(Energy):
 
 
 def _pulls(mechanism: Mechanism, name: str) -> list[tuple[Attraction, str]]:
-    """Return the attractions of a body, each with the other one."""
+    """Return the attractions of a body, each with the name of the other body."""
     return [(p, p.b if p.a == name else p.a) for p in mechanism.attractions if name in (p.a, p.b)]
 
 
 def _attracted(state: State, pull: Attraction, name: str, other: str) -> Array:
-    """−G m M/((p − 1) rᵖ⁻¹) less its value at the start, (n,); of p = 1 the logarithm."""
+    """Return −G m M/((p − 1) rᵖ⁻¹) minus its initial value in J, (n,); for p = 1 the logarithm."""
     apart = minus(state.frames.center(name).place, state.frames.center(other).place)
     began = minus(state.began.center(name).place, state.began.center(other).place)
     far, near = np.sqrt(product(apart, apart)), float(np.sqrt(product(began, began)))
@@ -165,7 +165,7 @@ class NetPower(PowerOfForce):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """F·v, (n,), in W, with the velocity of the centre of mass."""
+        """Return F·v in W, (n,), with the velocity of the centre of mass."""
         return np.einsum("ij,ij->i", NetForce.evaluate(state, subject), Velocity.evaluate(state, subject))
 
 
@@ -184,29 +184,29 @@ class GravityPower(PowerOfForce):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """M g·v, (n,), in W."""
+        """Return m g·v in W, (n,)."""
         return state.mass(subject) * (Velocity.evaluate(state, subject) @ np.array(state.mechanism.gravity))
 
 
 @quantity
 class HandPower(PowerOfForce):
-    """The power of a hand that draws in a string with a constant force."""
+    """The power of a hand that pulls a string with a constant force."""
 
     name = "power of a hand"
     of = Strings()
     order = 23
 
     def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return the names of the strings that a hand draws in."""
+        """Return the names of the strings that a hand pulls."""
         return tuple(line.name for line in mechanism.pulls)
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Return whether a hand draws the string in."""
+        """Return whether a hand pulls the string."""
         return name in self.subjects(mechanism)
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Force × the rate at which the string is drawn in, (n,), in W."""
+        """Return the force times the rate at which the string is pulled in, in W, (n,)."""
         law = state.mechanism.line[subject].law
         assert isinstance(law, ConstantTension)
         return -law.force * StringLengthRate.evaluate(state, subject)

@@ -29,7 +29,7 @@ class Thrust(OfEngine):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Rate times exhaust speed, (n,); zero after burnout."""
+        """Return the burn rate times the exhaust speed in N, (n,); zero after burnout."""
         burn = _burn(state.mechanism, subject)
         return np.where(state.times < burn.until, burn.rate * burn.exhaust, 0.0)
 
@@ -61,7 +61,7 @@ class FuelBurnt(OfEngine):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Rate times the time so far, (n,)."""
+        """Return the burn rate times the elapsed burn time in kg, (n,)."""
         burn = _burn(state.mechanism, subject)
         return burn.rate * np.minimum(state.times, burn.until)
 
@@ -74,7 +74,7 @@ class FuelLeft(OfEngine):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return the fuel at the start less the fuel burnt since then, in kg, (n,)."""
+        """Return the initial fuel minus the fuel burnt since then, in kg, (n,)."""
         burn = _burn(state.mechanism, subject)
         return burn.rate * burn.until - FuelBurnt.evaluate(state, subject)
 

@@ -17,7 +17,7 @@ FAR = (1e3, 1e3, 1e3)  # m; anywhere but at a charge
 
 @quantity
 class ElectricPotentialEnergy(Quantity):
-    """The electric potential energy of a charge less that at the start, where the field has a potential."""
+    """The electric potential energy of a charge minus its initial value, if the field has a potential."""
 
     name, unit, symbol = "electric potential energy", "J", "U"
     of = Bodies()
@@ -35,13 +35,13 @@ class ElectricPotentialEnergy(Quantity):
         return self.present(mechanism, name)
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Whether all such forces on it are static, without curl, and in no region, whose border would have one."""
+        """Return whether all electric forces on the body are static, curl-free and not limited to a region."""
         forces = _electric(mechanism, name)
         return bool(forces) and all(f.region is None and f.law.potential(FAR, np) is not None for f in forces)
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Σ q(φ − φ₀), (n,); a magnetic field does no work."""
+        """Return Σ q(φ − φ₀) in J, (n,); a magnetic field does no work."""
         now, began = state.frames.center(subject).place, state.began.center(subject).place
         total = np.zeros(len(state.times))
         for force in _electric(state.mechanism, subject):
@@ -50,14 +50,14 @@ class ElectricPotentialEnergy(Quantity):
 
 
 def _potential(force: Force, place: Triple) -> Number:
-    """Return the potential energy, J; only of what is `present`."""
+    """Return the potential energy of a force in J; it must have a potential."""
     found: Number = force.law.potential(place, np)
     assert found is not None
     return found
 
 
 def _electric(mechanism: Mechanism, name: str) -> list[Force]:
-    """Return the forces on a body that a charge at rest would feel, too."""
+    """Return the forces on a body that would also act on a charge at rest."""
     return [force for force in mechanism.forces if force.body == name and isinstance(force.law, Push | Central)]
 
 
@@ -80,12 +80,12 @@ class FieldForce(Quantity):
 
 
 def acting(mechanism: Mechanism, name: str, law: type[Law]) -> list[Force]:
-    """Return the forces on a body whose laws are of a class."""
+    """Return the forces on a body with laws of a given class."""
     return [force for force in mechanism.forces if force.body == name and isinstance(force.law, law)]
 
 
 def _total(state: State, subject: str, law: type[Law]) -> Array:
-    """Return the sum of the forces of a kind on a body, in N, (n, 3)."""
+    """Return the sum of the forces of one class on a body in N, (n, 3)."""
     center = state.frames.center(subject)
     total = np.zeros((len(state.times), 3))
     for force in acting(state.mechanism, subject, law):

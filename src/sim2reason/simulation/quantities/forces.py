@@ -20,7 +20,7 @@ from sim2reason.simulation.quantities.subjects.rods import Rods, pointer
 
 
 class SupportForce(Quantity):
-    """Base class of forces between a support, such as an axle, and what it holds."""
+    """Base class of forces between a support, such as an axle, and the supported body."""
 
     unit, symbol = "N", "F"
     vector = True
@@ -31,7 +31,7 @@ class SupportForce(Quantity):
 
 @quantity
 class PulleyForce(SupportForce):
-    """The resultant force on a pulley of the strings that run over it; the axle of a massless pulley bears it."""
+    """The resultant force of the strings on a pulley; for a massless pulley its axle bears this force."""
 
     name = "force on a pulley"
     of = Pulleys()
@@ -39,7 +39,7 @@ class PulleyForce(SupportForce):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return Σ T along each part of a string that leaves the rim, in N, (n, 3)."""
+        """Return Σ T over the string parts that leave the rim, in N, (n, 3)."""
         total = np.zeros((len(state.times), 3))
         for line in state.mechanism.lines:
             for one, other in zip(line.through, line.through[1:], strict=False):
@@ -53,28 +53,28 @@ class PulleyForce(SupportForce):
 
 
 class AxleLoads(TurningBodies):
-    """Every body that a hinge turns, for the force on its axle, to which all that turns about the axle adds."""
+    """The kind of subject for the force on an axle: every body on a hinge, with all bodies that rotate with it."""
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """Return whether the text gives it for every body that has it, since each may load the axle."""
+        """Return whether the text states the number `need` for every body that has it, since each may load the axle."""
         del name
         return all_said(need, mechanism, said)
 
 
 @quantity
 class ForceOnAxle(SupportForce):
-    """The force that a body on a fixed axle exerts on the axle, where only the axle and gravity act on the body."""
+    """The force that a body on a fixed axle exerts on the axle, if only the axle and gravity act on the body."""
 
     name = "force on the axle"
     of = AxleLoads()
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
-        """Return whether the body is, or is part of, what turns about a fixed axle and is held by the axle alone."""
+        """Return whether the body, alone or in a rigid body, rotates about a fixed axle without other contacts."""
         return held_by_axle_alone(mechanism, name)
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return Σ m (g − a) of all bodies that turn together, in N, (n, 3)."""
+        """Return Σ m (g − a) over all bodies that rotate together, in N, (n, 3)."""
         total = np.zeros((len(state.times), 3))
         for body in carried_by(state.mechanism, chain(state.mechanism, subject)[-1].name):
             if body.mass:
@@ -97,12 +97,12 @@ class GuideForce(SupportForce):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return the horizontal part of m a in N, (n, 3); the other forces, a string's and gravity, are vertical."""
+        """Return the horizontal part of m a in N, (n, 3); the other forces, tension and gravity, are vertical."""
         return NetForce.evaluate(state, subject) * np.array((1.0, 1.0, 0.0))
 
 
 def _guided(mechanism: Mechanism, name: str) -> bool:
-    """Return whether a body slides vertically along another one that slides horizontally, without lying on it."""
+    """Return whether a body slides vertically along a horizontally sliding body without lying on it."""
     body = mechanism.body[name]
     carrier = mechanism.body[body.parent] if body.parent is not None else None
     if carrier is None or name in mechanism.contacts:
@@ -117,7 +117,7 @@ FORCE = "force that the axle exerts on {body}"
 
 @quantity
 class AxleForce(Quantity):
-    """The force that a fixed axle exerts on the body that turns about it."""
+    """The force that a fixed axle exerts on the body that rotates about it."""
 
     name, unit, symbol = "axle force", "N", "F"
     of, vector = Axles(), True
@@ -131,7 +131,7 @@ class AxleForce(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return Σ m (a − g) of all bodies that turn together, in N, (n, 3)."""
+        """Return Σ m (a − g) over all bodies that rotate together, in N, (n, 3)."""
         return -ForceOnAxle.evaluate(state, subject)
 
     def signed_along(self, sense: Sense, mechanism: Mechanism, name: str) -> str:
@@ -143,7 +143,7 @@ class AxleForce(Quantity):
 
 @quantity
 class NormalForce(Quantity):
-    """The force along the contact's normal on the body that rests."""
+    """The normal force on a body that lies on a face."""
 
     name, unit, symbol = "normal force", "N", "N"
     of = Contacts()
@@ -155,36 +155,36 @@ class NormalForce(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Never negative but on faces that hold both ways, (n,)."""
+        """Return the normal force in N, (n,); negative only on faces that hold in both directions."""
         return state.normal[subject]
 
 
 @quantity
 class FrictionForce(Quantity):
-    """The force on the body that rests along the direction in which it slips, with sign."""
+    """The friction force on a body that lies on a face, signed along its direction of slip."""
 
     name, unit, symbol = "friction force", "N", "f"
     of = Contacts()
     magnitude = "the magnitude of the friction force exerted on {body} by {surface}"
     needs = ("mass",)
     immediate = True
-    weight = 8.0  # where a face is rough, it should be asked about as often as a velocity
+    weight = 8.0  # on a rough face it should be asked about as often as a velocity
     floor, heavy = 0.1, True
     order = 1
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Static or kinetic, (n,)."""
+        """Return the static or kinetic friction force in N, (n,)."""
         return state.friction[subject]
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Only a rough face has any."""
+        """Return whether the face is rough."""
         return mechanism.contacts[name].friction > 0.0
 
 
 @quantity
 class FrictionNeeded(Quantity):
-    """The least coefficient of static friction that prevents slipping: the friction force over the normal force.
+    """The smallest coefficient of static friction that prevents slipping: friction force divided by normal force.
 
     It is used in structured questions only, and never drawn by recipes.
     """
@@ -200,7 +200,7 @@ class FrictionNeeded(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return |f| / |N|, (n,); zero without friction, infinite where friction acts without a normal force."""
+        """Return |f| / |N|, (n,); zero without friction, infinite if friction acts without a normal force."""
         pressed = np.abs(state.normal[subject])
         ratio = np.divide(
             np.abs(state.friction[subject]), pressed, out=np.full(pressed.shape, np.inf), where=pressed > 0
@@ -210,7 +210,7 @@ class FrictionNeeded(Quantity):
 
 @quantity
 class RodForce(Quantity):
-    """The force in a light rod, positive where it pulls."""
+    """The force in a light rod, positive in tension."""
 
     name, unit, symbol = "rod force", "N", "T"
     of = Rods()
@@ -223,7 +223,7 @@ class RodForce(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return a multiplier, or of a rod on a hinge what all that it holds needs: Σ m (g − a) along it; (n,)."""
+        """Return the constraint force in N, (n,); for a rod on a hinge, Σ m (g − a) of its load along the rod."""
         if subject in state.mechanism.line:
             return state.tension[subject]
         (top, start), (bottom, end) = pointer(state.mechanism, subject)
@@ -251,7 +251,7 @@ class RodPull(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """M (g − a) along the rod, (n,): positive where the rod pulls."""
+        """Return m (g − a) along the rod in N, (n,): positive if the rod pulls."""
         arm = minus(state.frames.center(subject).place, state.frames[subject].point(ZERO).place)
         along = state.vector(arm) / np.broadcast_to(np.sqrt(product(arm, arm)), state.times.shape)[:, None]
         force = np.array(state.mechanism.gravity) - Acceleration.evaluate(state, subject)
@@ -260,9 +260,9 @@ class RodPull(Quantity):
 
 @quantity
 class StringLength(Quantity):
-    """The change since the start of the length of the free part, site to site.
+    """The change since the start of the free length of a string, site to site.
 
-    What a massive pulley winds on or off changes it. A slack string counts as the shortest line.
+    A massive pulley that winds the string on or off changes it. A slack string counts as the shortest line.
     """
 
     name, unit, symbol = "length", "m", "l"
@@ -271,14 +271,14 @@ class StringLength(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Δl, (n,)."""
+        """Return Δl in m, (n,)."""
         line = state.mechanism.line[subject]
         return state.length(line)[0] - state.began.length(line)
 
 
 @quantity
 class StringLengthRate(Quantity):
-    """The rate at which the free part grows."""
+    """The rate of change of the free length of a string."""
 
     name, unit, symbol = "rate of change of length", "m/s", "u"
     of = Strings()
@@ -286,13 +286,13 @@ class StringLengthRate(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """dl/dt, (n,)."""
+        """Return dl/dt in m/s, (n,)."""
         return state.length(state.mechanism.line[subject])[1]
 
 
 @quantity
 class Tension(Quantity):
-    """The tension of a string: 0 where it is slack, NaN where the mechanism does not determine it."""
+    """The tension of a string: 0 if it is slack, NaN if the mechanism does not determine it."""
 
     name, unit, symbol = "tension", "N", "T"
     of = Strings()
@@ -305,5 +305,5 @@ class Tension(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """T ≥ 0, (n,)."""
+        """Return T ≥ 0 in N, (n,)."""
         return state.tension[subject]

@@ -1,4 +1,4 @@
-"""Where bodies are and how they move: of their centres of mass, in room coordinates."""
+"""Positions, velocities and accelerations of centres of mass in the world frame."""
 
 import numpy as np
 
@@ -10,14 +10,14 @@ from sim2reason.simulation.quantities.subjects import Sense
 from sim2reason.simulation.quantities.subjects.bodies import HORIZONTAL, VERTICAL, Bodies
 from sim2reason.simulation.quantities.subjects.paths import EVEN, center_path
 
-RANGE, SLANTED = 1.5, 0.15  # shares of the horizontal displacement of what is thrown, and of its distance
-SWUNG = 0.3  # share of the acceleration of a point of what swings
-STRAIGHT = 1e-9  # of the product of speed and acceleration: with less between them, a path does not bend
+RANGE, SLANTED = 1.5, 0.15  # relative frequencies of the range of a projectile, and of its slanted distance
+SWUNG = 0.3  # relative frequency of the acceleration of a point on a swinging body
+STRAIGHT = 1e-9  # fraction of the product of speed and acceleration: below, the path counts as straight
 
 
 @quantity
 class Displacement(Quantity):
-    """The displacement of the centre of mass from where it was at the start."""
+    """The displacement of the centre of mass from its initial position."""
 
     name, unit, symbol = "displacement", "m", "s"
     of, vector = Bodies(), True
@@ -32,19 +32,19 @@ class Displacement(Quantity):
     panel, order = "displacement", 0
 
     def size_phrases(self, mechanism: Mechanism, name: str) -> tuple[str, str, str, str]:
-        """Return *the height above the ground* for a rocket that starts from the ground."""
+        """Return the phrases of *the height above the ground* for a rocket that starts from the ground."""
         if not _launched(mechanism, name):
             return super().size_phrases(mechanism, name)
         size, high = "the height of {body} above the ground", "how high above the ground"
         return size, f"{high} is {{body}} {{when}}?", f"{high} {{body}} is", "{body} is {value} above the ground"
 
     def signed_along(self, sense: Sense, mechanism: Mechanism, name: str) -> str:
-        """Return *the horizontal displacement* or *the vertical displacement* in a vertical plane with gravity."""
+        """Return the template of *the horizontal displacement* or *the vertical displacement* in a vertical plane."""
         which = _direction(sense, mechanism, name)
         return self.signed.replace("{component}", f"{which} ") if which else self.signed
 
     def share(self, sense: Sense | None, mechanism: Mechanism, name: str) -> float:
-        """Return more for the horizontal range of what is thrown than for the distance along a slanted line."""
+        """Return a larger frequency for the horizontal range of a projectile than for its slanted distance."""
         thrown = _falls_in_a_plane(mechanism, name)
         if sense is None:
             return SLANTED if thrown else 1.0
@@ -52,7 +52,7 @@ class Displacement(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Of the centre of mass, not of the frame, (n, 3)."""
+        """Return the displacement of the centre of mass in m, (n, 3)."""
         return state.vector(minus(state.frames.center(subject).place, state.began.center(subject).place))
 
 
@@ -64,7 +64,7 @@ def _falls_in_a_plane(mechanism: Mechanism, name: str) -> bool:
 
 
 def _direction(sense: Sense, mechanism: Mechanism, name: str) -> str:
-    """Return *horizontal* or *vertical* for an axis of the text in a vertical plane with gravity, else nothing."""
+    """Return *horizontal* or *vertical* for an axis of a vertical plane with gravity, else an empty string."""
     along = abs(sense.vector[2])
     if not sense.axis or not _falls_in_a_plane(mechanism, name) or EVEN < along < 1.0 - EVEN:
         return ""
@@ -89,7 +89,7 @@ class Velocity(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """J q̇ of the centre of mass, (n, 3)."""
+        """Return J q̇ of the centre of mass in m/s, (n, 3)."""
         return state.vector(state.frames.center(subject).velocity)
 
 
@@ -107,13 +107,13 @@ class Acceleration(Quantity):
     panel, order = "acceleration", 2
 
     def share(self, sense: Sense | None, mechanism: Mechanism, name: str) -> float:
-        """Return less for a part of what swings, whose angular acceleration and axle tell more."""
+        """Return a smaller frequency for a part of a swinging body, as its angular acceleration is more informative."""
         usual = super().share(sense, mechanism, name)
         return SWUNG * usual if center_path(mechanism, name).swings else usual
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """J q̈ of the centre of mass, and what its path and its carriers bend, (n, 3)."""
+        """Return J q̈ + J̇ q̇ of the centre of mass in m/s², (n, 3)."""
         point = state.frames.center(subject)
         total = point.bias
         for number, way in point.gradient.items():
@@ -123,7 +123,7 @@ class Acceleration(Quantity):
 
 @quantity
 class CurvatureRadius(Quantity):
-    """The radius of curvature of the path, that of the circle itself where a body goes round in a magnetic field."""
+    """The radius of curvature of the path; for a circular orbit in a magnetic field, the radius of the circle."""
 
     name, unit, symbol = "radius of curvature", "m", "R"
     of = Bodies()
@@ -134,12 +134,12 @@ class CurvatureRadius(Quantity):
     order = 3
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Return whether the path is no straight line."""
+        """Return whether the path is curved."""
         return not center_path(mechanism, name).straight
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """|v|³/|v × a| in m, (n,); NaN where the path does not bend, or the body is at rest."""
+        """Return |v|³/|v × a| in m, (n,); NaN if the path is straight there or the body is at rest."""
         velocity, acceleration = Velocity.evaluate(state, subject), Acceleration.evaluate(state, subject)
         speed, turning = np.linalg.norm(velocity, axis=1), np.linalg.norm(np.cross(velocity, acceleration), axis=1)
         bends = turning > STRAIGHT * speed * np.linalg.norm(acceleration, axis=1)
@@ -148,23 +148,23 @@ class CurvatureRadius(Quantity):
 
 @quantity
 class CenterOffset(Quantity):
-    """Where the centre of mass lies from the origin of the body's frame, such as its axle; recorded, not asked."""
+    """The position of the centre of mass relative to the origin of the body's frame; recorded, not asked."""
 
     name, unit, symbol = "centre of mass offset", "m", "c"
     of, vector = Bodies(), True
     floor = 0.1
 
     def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Bodies whose frame stands elsewhere."""
+        """Return the bodies whose frame has its origin elsewhere than the centre of mass."""
         return tuple(body.name for body in mechanism.bodies if body.center != ZERO)
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """R c, (n, 3)."""
+        """Return R c in m, (n, 3)."""
         return state.vector(state.frames[subject].turned(state.mechanism.body[subject].center))
 
 
 def _launched(mechanism: Mechanism, name: str) -> bool:
-    """Return whether a body burns fuel and starts at the lower end of its way, on the ground."""
+    """Return whether a body burns fuel and starts at the lower end of its travel, on the ground."""
     burns = any(burn.body == name for burn in mechanism.burns)
     return burns and [coordinate.lower for coordinate in mechanism.body[name].coordinates] == [0.0]

@@ -14,7 +14,7 @@ from sim2reason.simulation.quantities.subjects.paths import chain, is_welded_par
 
 @quantity
 class Momentum(Quantity):
-    """The momentum of a body alone, whatever it carries."""
+    """The momentum of a single body, without the bodies that it carries."""
 
     name, unit, symbol = "momentum", "kg m/s", "p"
     of, vector = Bodies(), True
@@ -22,19 +22,19 @@ class Momentum(Quantity):
     signed = "the {component}momentum of {body}{ground}"
     given = True
     needs = ("mass",)
-    weight = 0.02  # of one body alone it is seldom more than its speed times its mass
+    weight = 0.02  # of one body it is seldom more than its speed times its mass
     floor, heavy = 0.1, True
     order = 3
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """P = m v of the centre of mass, (n, 3)."""
+        """Return p = m v of the centre of mass in kg m/s, (n, 3)."""
         return np.asarray(state.mass(subject))[..., None] * Velocity.evaluate(state, subject)
 
 
 @quantity
 class NetForce(Quantity):
-    """The sum of all forces on a body alone; of a part of a rigid body nobody asks for it."""
+    """The sum of all forces on a single body; not asked for parts of a rigid body."""
 
     name, unit, symbol = "net force", "N", "F"
     of, vector = Bodies(), True
@@ -42,7 +42,7 @@ class NetForce(Quantity):
     signed = "the {component}net force on {body}"
     immediate = True
     needs = ("mass",)
-    weight = 0.15  # rather its acceleration, or one of the forces
+    weight = 0.15  # its acceleration, or one of the forces, is preferred
     floor, heavy = 0.1, True
     order = 4
 
@@ -52,16 +52,16 @@ class NetForce(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """F = m a, (n, 3)."""
+        """Return F = m a in N, (n, 3)."""
         return np.asarray(state.mass(subject))[..., None] * Acceleration.evaluate(state, subject)
 
 
 class AboutCenter(Quantity):
-    """What a body that turns has about its own centre of mass."""
+    """Base class of rotational quantities of a body about its own centre of mass."""
 
     of, vector = TurningBodies(), True
     needs = ("mass",)
-    weight = 0.02  # rather its angular velocity and acceleration
+    weight = 0.02  # its angular velocity and acceleration are preferred
     floor, heavy = 0.01, True
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
@@ -75,7 +75,7 @@ class AboutCenter(Quantity):
 
 @quantity
 class AngularMomentum(AboutCenter):
-    """The angular momentum of a body alone about its own centre of mass."""
+    """The angular momentum of a single body about its own centre of mass."""
 
     name, unit, symbol = "angular momentum", "kg m^2/s", "L"
     magnitude = "the magnitude of the angular momentum of {body} about its centre of mass"
@@ -84,7 +84,7 @@ class AngularMomentum(AboutCenter):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """L = I ω, with the inertia of this body alone, (n, 3)."""
+        """Return L = I ω with the inertia of this body alone, in kg m²/s, (n, 3)."""
         frame, inertia = state.frames[subject], state.mechanism.body[subject].inertia
         return state.vector(frame.turned(applied(inertia, frame.unturned(frame.turning.velocity))))
 
@@ -100,7 +100,7 @@ class Torque(AboutCenter):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """dL/dt = I α + ω × I ω (Euler), (n, 3)."""
+        """Return dL/dt = I α + ω × I ω (Euler) in N m, (n, 3)."""
         frame, inertia = state.frames[subject], state.mechanism.body[subject].inertia
         alpha, omega = AngularAcceleration.evaluate(state, subject), AngularVelocity.evaluate(state, subject)
         own = frame.unturned((omega[:, 0], omega[:, 1], omega[:, 2]))
@@ -110,7 +110,7 @@ class Torque(AboutCenter):
 
 @quantity
 class BodyMass(Quantity):
-    """The mass of a body; it is asked of what burns, and given of all else."""
+    """The mass of a body; asked for rockets, and given for all other bodies."""
 
     name, unit, symbol = "mass", "kg", "m"
     of = Bodies()
@@ -122,17 +122,17 @@ class BodyMass(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return what is left, (n,)."""
+        """Return the remaining mass in kg, (n,)."""
         return np.zeros(len(state.times)) + state.mass(subject)
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Return whether it changes."""
+        """Return whether the mass changes."""
         return any(burn.body == name for burn in mechanism.burns)
 
 
 @quantity
 class MomentOfInertia(AboutCenter):
-    """The moment of inertia of a body about the line through its centre of mass that it turns about."""
+    """The moment of inertia of a body about its axis of rotation through its centre of mass."""
 
     name, unit, symbol = "moment of inertia", "kg m^2", "I"
     vector = False
@@ -145,18 +145,18 @@ class MomentOfInertia(AboutCenter):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """n·I n of the innermost hinge that turns the body, (n,)."""
+        """Return n·I n in kg m², (n,), with the axis n of the innermost hinge."""
         _, axis = turning_axes(state.mechanism, subject)[0]
         held = product(axis, applied(state.mechanism.body[subject].inertia, axis))
         return np.full(len(state.times), held)
 
 
 class InertiaTensor(AboutCenter):
-    """Parts of the inertia tensor of a body about its centre of mass, along the axes of the room."""
+    """Base class of the components of the inertia tensor of a body about its centre of mass, in the world axes."""
 
     @staticmethod
     def columns(state: State, subject: str) -> list[Array]:
-        """R I Rᵀ, column by column, each (n, 3)."""
+        """Return R I Rᵀ, column by column, in kg m², each (n, 3)."""
         frame, inertia = state.frames[subject], state.mechanism.body[subject].inertia
         axes = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
         return [state.vector(frame.turned(applied(inertia, frame.unturned(axis)))) for axis in axes]
@@ -164,33 +164,33 @@ class InertiaTensor(AboutCenter):
 
 @quantity
 class InertiaDiagonal(InertiaTensor):
-    """Its diagonal; recorded, not asked."""
+    """The diagonal of the inertia tensor; recorded, not asked."""
 
     name, unit, symbol = "inertia tensor, diagonal", "kg m^2", "I"
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """(Ixx, Iyy, Izz), (n, 3)."""
+        """Return (Ixx, Iyy, Izz) in kg m², (n, 3)."""
         x, y, z = InertiaTensor.columns(state, subject)
         return np.stack([x[:, 0], y[:, 1], z[:, 2]], axis=1)
 
 
 @quantity
 class InertiaOffDiagonal(InertiaTensor):
-    """What is beside its diagonal; recorded, not asked."""
+    """The products of inertia (off-diagonal components); recorded, not asked."""
 
     name, unit, symbol = "inertia tensor, off the diagonal", "kg m^2", "I"
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """(Ixy, Ixz, Iyz), (n, 3)."""
+        """Return (Ixy, Ixz, Iyz) in kg m², (n, 3)."""
         x, y, _ = InertiaTensor.columns(state, subject)
         return np.stack([x[:, 1], x[:, 2], y[:, 2]], axis=1)
 
 
 @quantity
 class AxleDistance(Quantity):
-    """The distance of a body's centre of mass from the axle that it turns about; in structured questions only."""
+    """The distance of a body's centre of mass from its fixed axle; in structured questions only."""
 
     name, unit, symbol = "distance from the axle", "m", "d"
     of = Bodies()
@@ -214,7 +214,7 @@ class AxleDistance(Quantity):
 
 @quantity
 class InertiaAboutAxle(AboutCenter):
-    """The moment of inertia of a body about the axle that it turns about; in structured questions only, never drawn."""
+    """The moment of inertia of a body about its fixed axle; in structured questions only, never drawn."""
 
     name, unit, symbol = "moment of inertia about the axle", "kg m^2", "I"
     vector = False
@@ -255,7 +255,7 @@ class InertiaAboutAxis(InertiaAboutAxle):
 
 @quantity
 class MassCenterVelocity(Quantity):
-    """The velocity of the centre of mass of all bodies together, where there are several and all can move."""
+    """The velocity of the centre of mass of all bodies, if there are several and all can move."""
 
     name, unit, symbol = "velocity of the centre of mass", "m/s", "v"
     of, vector = Whole(), True

@@ -18,7 +18,7 @@ class OrbitShape(Quantity):
     floor = 0.1
 
     def subjects(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return the names of pairs of which one body alone moves, drawn by the other alone."""
+        """Return the names of attracting pairs of which one body alone moves and is attracted by the other alone."""
         return tuple(AND.join((pull.a, pull.b)) for pull in mechanism.attractions if _alone(mechanism, pull))
 
 
@@ -30,7 +30,7 @@ class Eccentricity(OrbitShape):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """|v × (r × v) / μ − r / |r||, (n,)."""
+        """Return |v × (r × v) / μ − r / |r||, dimensionless, (n,)."""
         place, velocity, strength = _relative(state, subject)
         turning = np.cross(velocity, np.cross(place, velocity)) / strength
         return np.linalg.norm(turning - place / np.linalg.norm(place, axis=1)[:, None], axis=1)
@@ -44,20 +44,20 @@ class SemiMajorAxis(OrbitShape):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """1 / (2 / r − v² / μ), m, (n,)."""
+        """Return 1 / (2 / r − v² / μ) in m, (n,)."""
         place, velocity, strength = _relative(state, subject)
         return 1.0 / (2.0 / np.linalg.norm(place, axis=1) - np.sum(velocity**2, axis=1) / strength)
 
 
 @quantity
 class CircularSpeed(OrbitShape):
-    """The speed with which the body would go round in a circle at its present distance."""
+    """The speed of a circular orbit at the present distance."""
 
     name, unit, symbol = "circular speed", "m/s", "v"
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """√(μ / r), m/s, (n,)."""
+        """Return √(μ / r) in m/s, (n,)."""
         place, _, strength = _relative(state, subject)
         return np.sqrt(strength / np.linalg.norm(place, axis=1))
 
@@ -69,7 +69,7 @@ def _alone(mechanism: Mechanism, pull: Attraction) -> bool:
 
 
 def _relative(state: State, subject: str) -> tuple[Array, Array, float]:
-    """Return the place and velocity of the moving body from the fixed one, (n, 3), and G M."""
+    """Return the position and velocity of the moving body relative to the fixed one, (n, 3), and G M."""
     mechanism = state.mechanism
     pull = next(pull for pull in mechanism.attractions if AND.join((pull.a, pull.b)) == subject)
     planet, star = (pull.a, pull.b) if moves(mechanism, pull.a) else (pull.b, pull.a)

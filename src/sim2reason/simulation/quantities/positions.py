@@ -18,13 +18,13 @@ from sim2reason.simulation.quantities.subjects.rods import SwingingLines, pointe
 
 
 def stated_on(axis: str, mechanism: Mechanism, name: str) -> Coordinate | None:
-    """Return the coordinate along which a body moves on an axis of the text; None if the text states no start there."""
+    """Return the coordinate of a body along an axis of the text; None if the text states no initial value."""
     found = mechanism.body[name].coordinates if name in mechanism.body else ()
     return next((each for each in found if each.stated is not None and each.stated[0] == axis), None)
 
 
 def _place(axis: str, state: State, name: str) -> Array:
-    """Return a body's coordinate on an axis in m, (n,): the one at the start plus the displacement."""
+    """Return the position of a body on an axis in m, (n,): initial value plus displacement."""
     found = stated_on(axis, state.mechanism, name)
     assert found is not None
     assert found.stated is not None
@@ -97,7 +97,7 @@ class OriginDistance(Quantity):
         return bool(found) and all(each.stated is not None for each in found)
 
 
-UPRIGHT = 1.0 - 1e-9
+UPRIGHT = 1.0 - 1e-9  # vertical component of a direction that counts as vertical
 
 
 @quantity
@@ -153,7 +153,7 @@ def height_at_start(mechanism: Mechanism, name: str) -> float:
 
 
 def _falling(mechanism: Mechanism, name: str) -> int | None:
-    """Return the number of the vertical coordinate along which a body falls to the ground; None if there is none."""
+    """Return the index of the vertical coordinate along which a body falls to the ground; None if there is none."""
     for coordinate in mechanism.body[name].coordinates:
         if coordinate.kind == "slide" and coordinate.axis[2] > UPRIGHT and coordinate.lower > -inf:
             return mechanism.number[coordinate.name]
@@ -165,7 +165,7 @@ def _bounces(mechanism: Mechanism, name: str) -> bool:
     return any(gap.normal is not None and gap.normal[2] > UPRIGHT for gap in met)
 
 
-SLACK = 1e-6  # of its length: by what a string must be shorter than it may be
+SLACK = 1e-6  # fraction of its length: a string that is shorter by more is slack
 
 
 @quantity
@@ -183,7 +183,7 @@ class Deflection(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """From 0 to 180 degrees, (n,); NaN while a string is slack, since it points nowhere."""
+        """Return the angle in degrees, 0 to 180, (n,); NaN while a string is slack."""
         return np.where(_slack(state, subject), np.nan, _angle(state.frames, state.mechanism, subject))
 
 
@@ -193,7 +193,7 @@ def deflection_at_start(state: State, subject: str) -> float:
 
 
 def _angle(frames: Frames, mechanism: Mechanism, subject: str) -> Array:
-    """By the sine and the cosine, so that small angles lose no digits."""
+    """Return the angle in degrees from sine and cosine, so that small angles keep their accuracy."""
     (top, start), (bottom, end) = pointer(mechanism, subject)
     arm = minus(frames[bottom].point(end).place, frames[top].point(start).place)
     down = unit(mechanism.gravity)
@@ -202,7 +202,7 @@ def _angle(frames: Frames, mechanism: Mechanism, subject: str) -> Array:
 
 
 def _slack(state: State, subject: str) -> Array:
-    """Return whether a string is slack, (n,): shorter than it may be."""
+    """Return whether a string is slack, (n,): shorter than its limit."""
     line = state.mechanism.line.get(subject)
     if line is None or not isinstance(line.law, Inextensible):
         return np.zeros(len(state.times), dtype=bool)

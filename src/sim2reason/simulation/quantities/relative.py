@@ -18,7 +18,7 @@ from sim2reason.simulation.quantities.subjects.paths import center_path, rides
 
 @quantity
 class DistanceBetween(Quantity):
-    """The distance of two centres of mass."""
+    """The distance between two centres of mass."""
 
     name, unit, symbol = "distance", "m", "d"
     of = Pairs()
@@ -36,7 +36,7 @@ class DistanceBetween(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """|r − r′|, (n,)."""
+        """Return |r − r′| in m, (n,)."""
         a, b = members(subject)
         apart = minus(state.frames.center(a).place, state.frames.center(b).place)
         return np.sqrt(product(apart, apart)) + 0.0 * state.times
@@ -55,12 +55,12 @@ class RelativeSpeed(Quantity):
     order = 1
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Return whether both move: else it is the speed of the one that does."""
+        """Return whether both bodies move; otherwise it is the speed of the moving one."""
         return all(moves(mechanism, body) for body in members(name))
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """|v − v′|, (n,)."""
+        """Return |v − v′| in m/s, (n,)."""
         a, b = members(subject)
         return np.linalg.norm(Velocity.evaluate(state, a) - Velocity.evaluate(state, b), axis=1)
 
@@ -167,7 +167,7 @@ class SlopeOfVelocity(OfFreeBody):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """From 0 to 90 degrees, up or down, (n,); 0 at rest."""
+        """Return the angle above or below the horizontal in degrees, 0 to 90, (n,); 0 at rest."""
         velocity = Velocity.evaluate(state, subject)
         up = -np.array(unit(state.mechanism.gravity))
         rising = velocity @ up
@@ -184,7 +184,7 @@ class TurnOfVelocity(OfFreeBody):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """From 0 to 180 degrees, (n,); 0 for a body that is at rest at the start."""
+        """Return the angle in degrees, 0 to 180, (n,); 0 for a body initially at rest."""
         velocity = Velocity.evaluate(state, subject)
         own = state.mechanism.body[subject].coordinates
         began = np.sum([coordinate.speed * np.array(coordinate.axis) for coordinate in own], axis=0)
@@ -194,13 +194,13 @@ class TurnOfVelocity(OfFreeBody):
 
 @quantity
 class RadiusOfPath(OfFreeBody):
-    """The radius of the circle on which a magnetic field alone keeps a body."""
+    """The radius of the circular path of a body in a magnetic field without other forces."""
 
     name, unit, symbol = "radius of the path", "m", "r"
     floor = 0.1
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
-        """Return whether the body moves freely in a plane, and uniform magnetic fields alone act on it."""
+        """Return whether the body moves freely in a plane under uniform magnetic fields alone."""
         return super().fits(mechanism, name) and _circles(mechanism, name)
 
     @staticmethod
@@ -220,7 +220,7 @@ def _circles(mechanism: Mechanism, name: str) -> bool:
 
 
 def _upright(mechanism: Mechanism, name: str) -> bool:
-    """Return whether one of the axes is vertical."""
+    """Return whether one of the body's axes is vertical."""
     return center_path(mechanism, name).rises and any(
         abs(coordinate.axis[2]) > 1.0 - 1e-9 for coordinate in mechanism.body[name].coordinates
     )

@@ -1,4 +1,4 @@
-"""How bodies turn."""
+"""Angles, angular velocities and angular accelerations of bodies."""
 
 from math import degrees
 
@@ -14,7 +14,7 @@ from sim2reason.simulation.quantities.subjects.paths import parallel, turning_ax
 
 @quantity
 class AngularVelocity(Quantity):
-    """The angular velocity of a body in the room."""
+    """The angular velocity of a body in the world frame."""
 
     name, unit, symbol = "angular velocity", "rad/s", "ω"
     of, vector = TurningBodies(), True
@@ -33,7 +33,7 @@ class AngularVelocity(Quantity):
 
 @quantity
 class AngularAcceleration(Quantity):
-    """The angular acceleration of a body in the room."""
+    """The angular acceleration of a body in the world frame."""
 
     name, unit, symbol = "angular acceleration", "rad/s^2", "α"
     of, vector = TurningBodies(), True
@@ -44,7 +44,7 @@ class AngularAcceleration(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return the rate of change of the angular velocity, that of the axes included, (n, 3)."""
+        """Return the rate of change of the angular velocity in rad/s², (n, 3), including the motion of the axes."""
         turning = state.frames[subject].turning
         total = turning.bias
         for number, axis in turning.gradient.items():
@@ -53,12 +53,12 @@ class AngularAcceleration(Quantity):
 
 
 class Angle(Quantity):
-    """Base class of angles of a body that turns about parallel axes, so that the angles about them add up."""
+    """Base class of angles of a body that rotates about parallel axes, so that the angles add up."""
 
     of = TurningBodies()
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Return whether it has one axis."""
+        """Return whether all axes of rotation are parallel and the body has the quantity."""
         return name in self.subjects(mechanism)
 
     def fits(self, mechanism: Mechanism, name: str) -> bool:
@@ -68,7 +68,7 @@ class Angle(Quantity):
 
 @quantity
 class AngleTurned(Angle):
-    """The angle from the start, in degrees, positive about the axis of the body's innermost hinge."""
+    """The angle of rotation since the start, in degrees, positive about the axis of the body's innermost hinge."""
 
     name, unit, symbol = "angle turned", "deg", "φ"
     magnitude = "the angle through which {body} has turned from its starting position"
@@ -84,15 +84,15 @@ class AngleTurned(Angle):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return the sum of the angles of all hinges, (n,)."""
+        """Return the sum of the angles of all hinges in degrees, (n,)."""
         return degrees(1.0) * _turned(state, subject)
 
 
 @quantity
 class AngleRolled(Angle):
-    """The angle from the start, in radians, of a body that rolls or slips as it turns: it may be many turns.
+    """The angle of rotation since the start, in radians, of a rolling or slipping body; it may exceed a full turn.
 
-    It is said to be the net angle of what may turn back on the way.
+    Phrases call it the net angle if the rotation may reverse.
     """
 
     name, unit, symbol = "angle rolled", "rad", "φ"
@@ -108,13 +108,13 @@ class AngleRolled(Angle):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return the sum of the angles of all hinges, (n,)."""
+        """Return the sum of the angles of all hinges in rad, (n,)."""
         return _turned(state, subject)
 
 
 @quantity
 class Revolutions(Angle):
-    """The number of turns from the start, whole or not, of a body that turns about one axis."""
+    """The number of revolutions since the start, whole or not, of a body that rotates about one axis."""
 
     name, unit, symbol = "revolutions made", "", "N"
     drawn_by_recipes = False
@@ -123,7 +123,7 @@ class Revolutions(Angle):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return the angle turned, by that of a whole turn, (n,)."""
+        """Return the angle of rotation divided by 2π, (n,)."""
         return _turned(state, subject) / (2.0 * np.pi)
 
 
@@ -139,7 +139,7 @@ def _rolls(mechanism: Mechanism, name: str) -> bool:
 
 
 def _turned(state: State, subject: str) -> Array:
-    """Return the angle from the start, rad, (n,)."""
+    """Return the angle of rotation since the start in rad, (n,)."""
     mechanism = state.mechanism
     axes = turning_axes(mechanism, subject)
     total = np.zeros(len(state.times))

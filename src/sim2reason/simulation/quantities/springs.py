@@ -1,4 +1,4 @@
-"""Springs: how far they are stretched, with what force, and the energy that they store."""
+"""Springs: extension, length, force and stored energy."""
 
 import numpy as np
 
@@ -9,7 +9,7 @@ from sim2reason.simulation.quantities.subjects.lines import Springs
 
 
 def _law(state: State, subject: str) -> tuple[Line, Elastic]:
-    """Return a spring and its law."""
+    """Return a spring and its force law."""
     line = state.mechanism.line[subject]
     assert isinstance(line.law, Elastic)
     return line, line.law
@@ -17,7 +17,7 @@ def _law(state: State, subject: str) -> tuple[Line, Elastic]:
 
 @quantity
 class Extension(Quantity):
-    """The length of a spring less its natural length: negative where it is compressed."""
+    """The length of a spring minus its natural length: negative in compression."""
 
     name, unit, symbol = "extension", "m", "x"
     of, along = Springs(), True
@@ -31,7 +31,7 @@ class Extension(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Return the length l − l₀, what a pulley winds up included, (n,)."""
+        """Return l − l₀ in m, (n,), including the length wound onto a pulley."""
         line, law = _law(state, subject)
         return state.free_length(line)[0] - law.length
 
@@ -52,13 +52,13 @@ class SpringLength(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """End to end, (n,)."""
+        """Return the length end to end in m, (n,)."""
         return state.free_length(_law(state, subject)[0])[0]
 
 
 @quantity
 class ExtensionRate(Quantity):
-    """The rate at which a spring grows longer."""
+    """The rate of change of the length of a spring."""
 
     name, unit, symbol = "extension rate", "m/s", "u"
     of, along = Springs(), True
@@ -71,13 +71,13 @@ class ExtensionRate(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """dl/dt, (n,)."""
+        """Return dl/dt in m/s, (n,)."""
         return state.free_length(_law(state, subject)[0])[1]
 
 
 @quantity
 class SpringForce(Quantity):
-    """The force of a spring, positive where it pulls; that of its damping included."""
+    """The force of a spring including its damping, positive in tension."""
 
     name, unit, symbol = "spring force", "N", "F"
     of, along = Springs(), True
@@ -90,13 +90,13 @@ class SpringForce(Quantity):
     panel, order = "spring force", 3
 
     def present(self, mechanism: Mechanism, name: str) -> bool:
-        """Not beside a dashpot, of which a reader would have to guess whether it counts."""
+        """Return whether the spring has no dashpot, which would make the force ambiguous."""
         law = mechanism.line[name].law
         return isinstance(law, Elastic) and not law.damping
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """F = k (l − l₀) + c dl/dt, (n,)."""
+        """Return F = k (l − l₀) + c dl/dt in N, (n,)."""
         return state.tension[subject]
 
 
@@ -116,7 +116,7 @@ class SpringEnergy(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """½ k (l − l₀)², (n,)."""
+        """Return ½ k (l − l₀)² in J, (n,)."""
         return 0.5 * _law(state, subject)[1].stiffness * Extension.evaluate(state, subject) ** 2
 
 
@@ -130,5 +130,5 @@ class SpringStiffness(Quantity):
 
     @staticmethod
     def evaluate(state: State, subject: str) -> Array:
-        """Constant, (n,)."""
+        """Return the constant stiffness in N/m, (n,)."""
         return np.full(len(state.times), _law(state, subject)[1].stiffness)

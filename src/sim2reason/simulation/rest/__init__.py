@@ -1,1 +1,1 @@
-"""Where a mechanism stays at rest, how it oscillates about that, and whether the second engine sees the same."""
+"""Stable equilibria of mechanisms, small oscillations about them, and their check by the second engine."""

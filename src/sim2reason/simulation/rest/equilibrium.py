@@ -1,4 +1,4 @@
-"""Equilibria of a mechanism with their forces, found from where it starts."""
+"""Equilibria of a mechanism with their forces, searched from its initial state."""
 
 import math
 from collections.abc import Iterator
@@ -17,17 +17,17 @@ from sim2reason.simulation.rest.loads import EXACT, LITTLE, Loads, RestingLoads,
 
 
 class Balance:
-    """Forces in balance at some coordinates."""
+    """The balance of forces of a mechanism at given coordinates."""
 
     def __init__(self, loads: RestingLoads, places: Vector, active: list[int], forces: Vector) -> None:
-        """`forces` are those of all rows, of which the `active` ones act."""
+        """Store the coordinates (`places`) and the `forces` of all rows, of which the `active` ones act."""
         self.loads, self.places, self.active, self.forces = loads, places, active, forces
         self.system, self.assembly = loads.system, loads.assembly(places)
         self.rows = self.assembly.rows(self.system.starts)
 
     @cached_property
     def normal(self) -> list[float]:
-        """The normal force on each face, N: N = Σλ J_z − F_z."""
+        """Return the normal force on each face, N, from N = Σλ J_z − F_z."""
         normal = [-float(press) for press in self.assembly.press]
         for row, force in zip(self.rows, self.forces.tolist(), strict=False):
             for contact, part in row.lift.items():
@@ -35,9 +35,9 @@ class Balance:
         return normal
 
     def holds(self, little: float) -> bool:
-        """Whether faces push, nothing is tighter than it may be, nothing overlaps, and nothing has passed a pulley.
+        """Return whether all contact, length and collision conditions hold at these coordinates.
 
-        Forces up to `little`, N, are none.
+        Forces up to `little`, N, count as zero.
         """
         system, q = self.system, self.places
         slack = all(float(row.value) >= -LITTLE for i, row in enumerate(self.rows) if i not in self.active)
@@ -47,7 +47,7 @@ class Balance:
         return slack and pushed and apart and within and self._strained() and self._ahead()
 
     def _strained(self) -> bool:
-        """Return whether springs that act only one way act here as they did at the start."""
+        """Return whether one-sided springs are in the same state here as at the start."""
         for (line, law), strained in zip(self.system.mechanism.half_springs, self.system.phase.strained, strict=True):
             strain = law.side * float(self.assembly.length(line).value - law.length)
             if (strain > LITTLE) != strained or abs(strain) <= LITTLE:
@@ -55,7 +55,7 @@ class Balance:
         return True
 
     def _ahead(self) -> bool:
-        """Whether no straight piece of a line has turned right round, as one whose end has passed a pulley has."""
+        """Return whether no straight line segment has reversed its direction, as after its end passes a pulley."""
         for ends, run in self.system.runs.items():
             way = self.assembly.frames.distance(*ends).way
             if sum(float(a) * float(b) for a, b in zip(way, run.way, strict=True)) < LITTLE - 1.0:
@@ -63,7 +63,7 @@ class Balance:
         return True
 
     def state(self) -> State:
-        """Return one instant of it; forces that others could bear are NaN, and all normal forces with them."""
+        """Return the resting state; undetermined constraint forces are NaN, and then all normal forces."""
         mechanism, kinds, still = self.system.mechanism, self.loads.kinds, np.zeros((1, self.loads.size))
         known = self.forces.copy()
         open_ = shared(self.loads.at(self.places).along[self.active])
@@ -82,48 +82,48 @@ class Balance:
         return State.of(mechanism, np.zeros(1), (self.places[None, :], still), dynamics)
 
 
-STEPS = 40
-PATIENCE = 6  # steps in which a force where nothing restores must cease
-FLAT = 1e-6  # of the largest stiffness: less is none
-LONGEST = 0.5  # step: rad, or that share of the longest line
-STARTS = 32  # of the ways down that are tried: few miss a basin of a tenth of the reach
-NEAR = 0.2  # rad, and of the shortest line: nothing passes through anything within that
-APART = 1e-5  # m or rad, of the largest stiffness: two places of rest closer than that are one
-KEPT = 8
+STEPS = 40  # largest number of steps of the search
+PATIENCE = 6  # steps after which a force without restoring stiffness must have vanished
+FLAT = 1e-6  # fraction of the largest stiffness: a smaller one counts as zero
+LONGEST = 0.5  # largest step: rad, or as a fraction of the longest line
+STARTS = 32  # starting points of the search for other equilibria; few miss a basin of a tenth of the range
+NEAR = 0.2  # rad, and fraction of the shortest line: a motion within that avoids collisions
+APART = 1e-5  # m or rad, of the largest stiffness: equilibria closer than that are equal
+KEPT = 8  # number of cached results
 
 
 @dataclass(frozen=True)
 class Rest:
-    """A stable equilibrium."""
+    """A stable equilibrium of a mechanism."""
 
-    state: State  # one instant, everything at rest there; a force that several rows share is NaN
-    allowed: Vector  # (n, m), orthonormal columns: the motions that the rows allow
-    stiffness: Vector  # (m, m), along these, N/m or N m/rad
-    free: int  # how many of the motions nothing drives back
-    active: tuple[int, ...]  # the rows that act, those of contacts that never slip last
+    state: State  # one instant at rest; forces shared by several rows are NaN
+    allowed: Vector  # (n, m), orthonormal columns: the motions that the constraints allow
+    stiffness: Vector  # (m, m), in these directions, N/m or N m/rad
+    free: int  # number of motions without restoring force
+    active: tuple[int, ...]  # the acting rows, those of contacts that never slip last
 
     @property
     def mechanism(self) -> Mechanism:
-        """Return what is at rest."""
+        """Return the mechanism at rest."""
         return self.state.mechanism
 
     @cached_property
     def linear(self) -> bool:
-        """Return whether loads change in proportion to the coordinates, as far as nothing passes through anything."""
+        """Return whether loads are linear in the coordinates, within the range without collisions."""
         return _Descent(RestingLoads(self.mechanism), self.coordinates).linear()
 
     @property
     def coordinates(self) -> Vector:
-        """Of each coordinate, counted from where the mechanism starts, m or rad, (n,)."""
+        """Return the coordinates relative to the initial state, m or rad, (n,)."""
         return self.state.q[0]
 
 
 @lru_cache(maxsize=KEPT)
 def equilibrium(mechanism: Mechanism) -> Rest | None:
-    """Return the stable equilibrium next to where a mechanism starts; None if there is none, or none that can be named.
+    """Return the stable equilibrium nearest to the initial state; None if there is none or it is not isolated.
 
-    None has what friction holds over a range of places, what a force drives that changes in time, what burns, is
-    reeled in or stands on feet, and what has no force that changes with its place.
+    There is none for mechanisms with friction, with time-dependent forces, engines, winches or feet, and without forces
+    that depend on position.
     """
     if not _restores(mechanism):
         return None
@@ -135,7 +135,7 @@ def equilibrium(mechanism: Mechanism) -> Rest | None:
 
 @lru_cache(maxsize=KEPT)
 def lone_equilibrium(mechanism: Mechanism) -> Rest | None:
-    """Return the same, but None if some way down from elsewhere ends in another stable equilibrium."""
+    """Return the only stable equilibrium; None if a search from other positions finds a different one."""
     rest = equilibrium(mechanism)
     if rest is None or rest.linear:
         return rest
@@ -145,7 +145,7 @@ def lone_equilibrium(mechanism: Mechanism) -> Rest | None:
 
 
 def neighbour(rest: Rest, shift: Vector) -> Vector:
-    """Return the coordinates (n,) of a place near an equilibrium that the rows allow, `shift` (n,) from it."""
+    """Return the coordinates (n,) of an admissible position near an equilibrium, displaced by `shift` (n,)."""
     loads, places = RestingLoads(rest.mechanism), rest.coordinates + shift
     for _ in range(3):
         places = places + loads.tightening(loads.at(places), list(rest.active))
@@ -153,14 +153,14 @@ def neighbour(rest: Rest, shift: Vector) -> Vector:
 
 
 def steady(mechanism: Mechanism) -> bool:
-    """Return whether nothing that acts changes in time by itself: no field, no engine, no winch."""
+    """Return whether no force depends on time: no time-dependent field, no engine, no winch."""
     fields = all(force.law.profile.steady for force in mechanism.forces if isinstance(force.law, Push | Magnetic))
     strings = (line.law for line in mechanism.lines if isinstance(line.law, Inextensible))
     return fields and not mechanism.burns and not any(law.reel for law in strings)
 
 
 def _restores(mechanism: Mechanism) -> bool:
-    """Return whether rest can be one place, and stays it."""
+    """Return whether an isolated equilibrium is possible and permanent."""
     rubs = any(0.0 < face.friction < math.inf for face in mechanism.faces)
     bounded = any(force.region is not None for force in mechanism.forces)
     other = rubs or bounded or mechanism.attractions or mechanism.feet
@@ -168,7 +168,7 @@ def _restores(mechanism: Mechanism) -> bool:
 
 
 def _same(one: Rest, other: Rest, loads: RestingLoads) -> bool:
-    """Return whether two places of rest are one, or differ by whole turns, or by what nothing drives back."""
+    """Return whether two equilibria are equal up to whole turns and motions without restoring force."""
     apart = one.coordinates - other.coordinates
     apart = np.where(loads.hinges, np.remainder(apart + math.pi, 2.0 * math.pi) - math.pi, apart)
     rolled = [number for grip in loads.slips for number, _ in grip.slip.terms if not loads.hinges[number]]
@@ -182,7 +182,7 @@ def _same(one: Rest, other: Rest, loads: RestingLoads) -> bool:
 
 
 def _spread(size: int) -> Vector:
-    """Points between −1 and 1, (STARTS, size), evenly: their steps are powers of the root of x^(size + 1) = x + 1."""
+    """Return evenly spread points between −1 and 1, (STARTS, size), by powers of the root of x^(size + 1) = x + 1."""
     root = 2.0
     for _ in range(30):
         root = (1.0 + root) ** (1.0 / (1 + size))
@@ -191,17 +191,17 @@ def _spread(size: int) -> Vector:
 
 
 class _Descent:
-    """The way down."""
+    """The search for an equilibrium by descent of the potential energy."""
 
     def __init__(self, loads: RestingLoads, places: Vector | None = None) -> None:
-        """With the loads at some places, by default at the start, to compare forces with."""
+        """Initialize with the force scale at `places`, by default at the start."""
         self.loads, self.size = loads, loads.size
         lengths = [length for length in loads.system.starts.values() if length > LITTLE] or [1.0]
         self.shortest, self.longest = min(lengths), max(lengths)
         self.scale = loads.largest(np.zeros(self.size) if places is None else places)
 
     def rest(self) -> Rest | None:
-        """Return where it ends that begins at the start; strings that would have to push are let go on the way."""
+        """Return the equilibrium reached from the start; strings that would have to push are released on the way."""
         places, both = np.zeros(self.size), self.loads.both
         spare = self.loads.at(places).spare
         active = [number for number, always in enumerate(both) if always or spare[number] <= LITTLE]
@@ -217,7 +217,7 @@ class _Descent:
         return None
 
     def end(self, point: Vector, active: tuple[int, ...]) -> Rest | None:
-        """Return where it ends that begins at a point, while the same rows act; None if it ends nowhere."""
+        """Return the equilibrium reached from a point with the same active rows; None if the search fails."""
         try:
             found = self._settled(point, list(active))
             return None if found is None else self._checked(found[0], list(active), found[1])
@@ -225,17 +225,17 @@ class _Descent:
             return None
 
     def points(self) -> Iterator[Vector]:
-        """Points spread over its reach, always the same ones."""
+        """Yield points spread over the range of the coordinates, always the same ones."""
         points = _spread(self.size)
         yield from points * np.where(self.loads.hinges, math.pi, self.longest)
 
     def linear(self) -> bool:
-        """Return whether loads change in proportion to the coordinates, as far as nothing passes through anything."""
+        """Return whether loads are linear in the coordinates, within the range without collisions."""
         near = np.where(self.loads.hinges, NEAR, NEAR * self.shortest)
         return self.loads.linear(_spread(self.size)[:2] * near, self.scale)
 
     def _settled(self, places: Vector, active: list[int]) -> tuple[Vector, Vector] | None:
-        """Return the coordinates and the forces of all rows; None if it is driven on and on."""
+        """Return the coordinates and the forces of all rows at equilibrium; None if the search does not converge."""
         driven = 0
         most = LONGEST * np.where(self.loads.hinges, 1.0, self.longest)
         for _ in range(STEPS):
@@ -263,7 +263,7 @@ class _Descent:
         return None
 
     def _balanced(self, loads: Loads, down: Vector, active: list[int]) -> bool:
-        """Return whether no force is left along the motions that the rows allow, and all rows are kept."""
+        """Return whether no force remains along the allowed motions, and all active constraints are satisfied."""
         lacking = float(np.abs(loads.spare[active]).max(initial=0.0))
         return max(float(np.abs(down).max(initial=0.0)) / self.scale, lacking) <= EXACT
 
@@ -272,7 +272,7 @@ class _Descent:
         return self._balanced(loads, ways(loads.along[active], self.size).T @ loads.force, active)
 
     def _checked(self, places: Vector, active: list[int], forces: Vector) -> Rest | None:
-        """Return the equilibrium, if everything holds that must, and nothing drives away from it."""
+        """Return the equilibrium if all conditions hold and it is stable; else None."""
         free = ways(self.loads.at(places).along[active], self.size)
         stiffness = symmetric(free.T @ self.loads.stiffness(places, forces, active) @ free)
         sizes = np.linalg.eigvalsh(stiffness)

@@ -1,4 +1,4 @@
-"""What acts on a mechanism at rest: the exact engine's formulas with every velocity and acceleration zero."""
+"""Loads on a mechanism at rest: the formulas of the exact engine with zero velocities and accelerations."""
 
 import math
 from collections.abc import Callable
@@ -14,15 +14,15 @@ from sim2reason.simulation.engines.exact.tape import Tape
 
 Vector = NDArray[np.float64]
 
-EXACT = 1e-10  # of the largest force; m
-LITTLE = 1e-6  # of the largest force; m: what still counts as nothing
-SLIGHT = 1e-3  # strain
+EXACT = 1e-10  # fraction of the largest force, or m: accuracy of an equilibrium
+LITTLE = 1e-6  # fraction of the largest force, or m: smaller values count as zero
+SLIGHT = 1e-3  # strain of the stiffest spring that sets the scale of forces
 DIFFERENCE = 6e-6  # m or rad, for central differences
 
 
 @dataclass(frozen=True, slots=True)
 class Loads:
-    """The load on each coordinate, and what is left of each row, with its gradient; contacts that never slip last."""
+    """The load on each coordinate, and the margin of each row with its gradient; contacts that never slip last."""
 
     force: Vector  # (n,)
     spare: Vector  # (rows,)
@@ -33,7 +33,7 @@ class RestingLoads:
     """The loads of a mechanism as a function of its coordinates."""
 
     def __init__(self, mechanism: Mechanism) -> None:
-        """Write them as code.
+        """Generate the code of the loads.
 
         Raises:
             UnsupportedError, SceneError: what the exact engine raises.
@@ -60,7 +60,7 @@ class RestingLoads:
         return tape.code([*assembly.force, *(row.value for row in rows), *entries])(math)
 
     def at(self, places: Vector) -> Loads:
-        """Return the loads at coordinates (n,), m or rad; ZeroDivisionError where two sites coincide."""
+        """Return the loads at coordinates (n,), m or rad; raise ZeroDivisionError if two sites coincide."""
         found: Vector = np.array(self._code(0.0, places.tolist()), dtype=np.float64)
         n, last = self.size, self.size + len(self.kinds)
         spare, along = found[n:last], found[last:].reshape(len(self.kinds), n)
@@ -70,7 +70,7 @@ class RestingLoads:
         return Loads(found[:n], spare, along)
 
     def assembly(self, places: Vector) -> Assembly:
-        """Return all that the exact engine knows of the mechanism at rest there."""
+        """Return the exact engine's assembly of the mechanism at rest at these coordinates."""
         return Assembly(self.mechanism, self.system.phase, (places.tolist(), [0.0] * self.size, 0.0), math)
 
     def largest(self, places: Vector) -> float:
@@ -83,14 +83,14 @@ class RestingLoads:
         return max(float(np.abs(self.at(places).force).max(initial=0.0)), *springs, 0.0) or 1.0
 
     def forces(self, loads: Loads, active: list[int]) -> Vector:
-        """Of all rows, the least that hold as well as can be; zero of those that do not act."""
+        """Return the least-squares forces of all rows that balance the loads; zero for inactive rows."""
         forces: Vector = np.zeros(len(loads.spare))
         if active:
             forces[active] = np.linalg.lstsq(loads.along[active].T, loads.force, rcond=1e-9)[0]
         return forces
 
     def stiffness(self, places: Vector, forces: Vector, active: list[int]) -> Vector:
-        """−∂(F − Jᵀλ)/∂q at fixed λ, (n, n)."""
+        """Return the stiffness matrix −∂(F − Jᵀλ)/∂q at fixed λ, (n, n)."""
 
         def load(q: Vector) -> Vector:
             loads = self.at(q)
@@ -101,14 +101,14 @@ class RestingLoads:
         return found
 
     def tightening(self, loads: Loads, active: list[int]) -> Vector:
-        """Return the shortest step, (n,), after which no row that acts lacks anything."""
+        """Return the shortest step, (n,), after which all active rows are satisfied."""
         found: Vector = np.zeros(self.size)
         if active:
             found = found + np.linalg.lstsq(loads.along[active], loads.spare[active], rcond=1e-9)[0]
         return found
 
     def linear(self, points: Vector, scale: float) -> bool:
-        """Return whether loads change in proportion to the coordinates, from zero to each of the points (k, n)."""
+        """Return whether loads are linear in the coordinates, from zero to each of the points (k, n)."""
         first = self.at(np.zeros(self.size))
         for point in points:
             half, whole = self.at(0.5 * point), self.at(point)
@@ -119,7 +119,7 @@ class RestingLoads:
 
 
 def ways(rows: Vector, size: int) -> Vector:
-    """Orthonormal columns that all rows map to zero, (size, m)."""
+    """Return an orthonormal basis of the null space of the rows, (size, m)."""
     if not rows.size:
         return np.eye(size)
     _, sizes, found = np.linalg.svd(rows, full_matrices=True)
@@ -127,7 +127,7 @@ def ways(rows: Vector, size: int) -> Vector:
 
 
 def shared(rows: Vector) -> NDArray[np.bool_]:
-    """Return whether the force of each row is open, since others could bear it, (rows,)."""
+    """Return whether the force of each row is undetermined, since other rows could bear it, (rows,)."""
     if not rows.size:
         return np.zeros(len(rows), dtype=np.bool_)
     sides, sizes, _ = np.linalg.svd(rows, full_matrices=True)
@@ -136,5 +136,5 @@ def shared(rows: Vector) -> NDArray[np.bool_]:
 
 
 def symmetric(matrix: Vector) -> Vector:
-    """Return the symmetric part."""
+    """Return the symmetric part of a matrix."""
     return 0.5 * (matrix + matrix.T)

@@ -19,20 +19,20 @@ from sim2reason.simulation.rest.equilibrium import Rest, equilibrium, neighbour
 from sim2reason.simulation.rest.loads import Vector
 from sim2reason.simulation.trace import ENGINES
 
-MASSLESS = 1e-9  # of the largest inertia
-STILL = 1e-6  # of the largest ω²: less is none
+MASSLESS = 1e-9  # fraction of the largest inertia: a smaller one counts as massless
+STILL = 1e-6  # fraction of the largest ω²: a smaller one counts as zero
 
 
 @dataclass(frozen=True)
 class Oscillations:
-    """The normal modes of small oscillations, the slowest first."""
+    """The normal modes of small oscillations, lowest frequency first."""
 
-    frequencies: Vector  # angular, rad/s, (k,); what nothing drives back is left out
-    shapes: Vector  # how the coordinates move in each, m or rad, (n, k), of any size
+    frequencies: Vector  # angular, rad/s, (k,); modes without restoring force are omitted
+    shapes: Vector  # the displacement of the coordinates in each mode, m or rad, (n, k), of arbitrary size
 
 
 def oscillations(rest: Rest) -> Oscillations | None:
-    """The modes about a stable equilibrium; None where a motion would die away or turn, or stiffness is lacking."""
+    """Return the normal modes about a stable equilibrium; None with damping, gyroscopic forces or zero stiffness."""
     mechanism = rest.mechanism
     if not _conserves(mechanism):
         return None
@@ -54,14 +54,14 @@ def oscillations(rest: Rest) -> Oscillations | None:
 
 
 def inertia(rest: Rest) -> Vector:
-    """Return the mass matrix of all coordinates in an equilibrium, (n, n)."""
+    """Return the mass matrix of all coordinates at an equilibrium, (n, n)."""
     mechanism, places = rest.mechanism, rest.coordinates.tolist()
     assembly = Assembly(mechanism, System(mechanism).phase, (places, [0.0] * len(places), 0.0), math)
     return np.array(assembly.full_mass(), dtype=np.float64)
 
 
 def _following(stiffness: Vector, heavy: NDArray[np.bool_]) -> Vector | None:
-    """Return how what has no mass follows what has; None if nothing holds it."""
+    """Return the matrix by which massless coordinates follow the others; None if one is not held."""
     light = stiffness[np.ix_(~heavy, ~heavy)]
     if len(light) and float(np.linalg.eigvalsh(light).min()) <= STILL * float(np.abs(stiffness).max()):
         return None
@@ -70,16 +70,16 @@ def _following(stiffness: Vector, heavy: NDArray[np.bool_]) -> Vector | None:
 
 
 def _conserves(mechanism: Mechanism) -> bool:
-    """Return whether no force depends on velocities, as those of dashpots, drag and magnets do."""
+    """Return whether no force depends on velocities, as dashpots, drag and magnetic fields do."""
     dashpots = any(isinstance(line.law, Elastic) and line.law.damping for line in mechanism.lines)
     return not dashpots and all(isinstance(force.law, Push) or force.law.constant for force in mechanism.forces)
 
 
-SAME = 1e-6  # relative: what differs by less is the same; a stated number is shifted by a thousand times as much
+SAME = 1e-6  # relative: smaller differences count as equal; a stated number is shifted by a thousand times as much
 
 
 def alike_at_rest(one: Mechanism, other: Mechanism, aspects: Collection[str]) -> bool:
-    """Whether they differ in the speeds at the start alone, or agree at rest in some aspects, whatever came before.
+    """Return whether two mechanisms differ in initial speeds alone, or agree at rest in some aspects.
 
     Aspects are ``lengths`` of lines, ``forces``, ``inertia`` and ``stiffness``.
     """
@@ -119,15 +119,15 @@ def _same(mine: Vector, its: Vector) -> bool:
     return bool(np.allclose(mine, its, rtol=0.0, atol=SAME * float(np.abs(mine).max(initial=0.0)), equal_nan=True))
 
 
-SMALL = 1e-3  # amplitude: rad, or that share of the shortest straight piece of a line
+SMALL = 1e-3  # amplitude: rad, or fraction of the shortest straight line segment
 SAMPLES = 5  # in half a period
-SHAPE = 1e-2  # of the amplitude: small oscillations are sines up to their size
-PHASE = 1e-3  # of a period
-INSTANT = 1e-3  # s: long enough for a state at rest
+SHAPE = 1e-2  # fraction of the amplitude: largest deviation of a small oscillation from a sine
+PHASE = 1e-3  # fraction of a period: largest phase error
+INSTANT = 1e-3  # s: duration of the simulation of a state at rest
 
 
 def unrest(rest: Rest) -> str:
-    """Why the witness does not see everything at rest in an equilibrium, with the same forces; empty if it does."""
+    """Return why the second engine disagrees about an equilibrium or its forces; empty if it agrees."""
     mechanism, still = rest.mechanism, [0.0] * len(rest.mechanism.coordinates)
     try:
         there = displaced(mechanism, rest.coordinates.tolist(), still)
@@ -144,7 +144,7 @@ def unrest(rest: Rest) -> str:
 
 
 def _load(state: State) -> float:
-    """Return the largest force at rest, N, or the largest weight."""
+    """Return the largest force at rest, or the largest weight, N."""
     mechanism = state.mechanism
     weight = max(body.mass for body in mechanism.bodies) * float(np.linalg.norm(mechanism.gravity))
     forces = [*state.tension.values(), *state.normal.values()]
@@ -152,7 +152,7 @@ def _load(state: State) -> float:
 
 
 def disagreement(rest: Rest, modes: Oscillations, number: int) -> str:
-    """Return why the witness does not swing in a mode as it is told, from a small displacement; empty if it does."""
+    """Return why the second engine disagrees about a normal mode of small amplitude; empty if it agrees."""
     mechanism, frequency, shape = rest.mechanism, float(modes.frequencies[number]), modes.shapes[:, number]
     system = System(mechanism)
     shortest = min([run.value for run in system.runs.values()], default=1.0)

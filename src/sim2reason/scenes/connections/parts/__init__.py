@@ -1,1 +1,1 @@
-"""What several connections share."""
+"""Base classes shared by several connections."""

@@ -1,4 +1,4 @@
-"""Connections that run straight from a point to another: they pass no pulley, so their ends face each other."""
+"""Straight connections between two points that pass no pulley, so that their ends face each other."""
 
 from typing import ClassVar
 
@@ -12,18 +12,18 @@ from sim2reason.scenes.dsl.ports import Attachment, Port
 
 
 class Straight(TwoEnded):
-    """A light line between two attachments, along the directions in which they can be left."""
+    """Base class of light straight lines between two attachments, along directions in which both can be left."""
 
     joins: ClassVar[type[Port]] = Attachment
     free: FreeLength = FREE
 
     @property
     def spacing(self) -> float:
-        """Return how long it is at the start, m."""
+        """Return the initial length, m."""
         return self.free
 
     def ends(self, joint: Joint, builder: Builder) -> list[str]:
-        """Return the two sites that it joins; SceneError if it would have to turn on its way from one to the other."""
+        """Return the two joined sites; raise SceneError if the line between them would have to bend."""
         sites = [stop.sites[0] for stop in joint.stops]
         if not opposite(*(builder.faces[site] for site in sites)):
             problem = f"{' and '.join(map(str, self.links))} do not face each other, and a {self.key} runs straight"

@@ -1,4 +1,4 @@
-"""Connections between two ports and no more: one sentence, its numbers and what it joins."""
+"""Connections between exactly two ports, described by one sentence."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -25,24 +25,25 @@ from sim2reason.scenes.dsl.ports import SitePort, StringEnd
 from sim2reason.scenes.dsl.template import Wordings, paths
 
 NOWHERE = (Link(entity="", port=""),)
-"""What stands for the first end while only the last one was told."""
+"""Placeholder for the first end while only the last one is known."""
 
 _SLOTS = re.compile(r"\{(a|b|way)\}")
 
 
 class TwoEnded(Connection):
-    """A connection with one sentence, in which ``{a}`` and ``{b}`` are what its first and its last port call themselves.
+    """Base class of connections with one sentence; ``{a}`` and ``{b}`` are the phrases of its first and last port.
 
-    Where a port declares which way a connection leaves it, the sentence begins there, at ``{a}``, and goes that ``{way}``.
+    If a port declares the direction in which a connection leaves it, the sentence begins there, at ``{a}``, with
+    ``{way}``.
     """
 
     says: ClassVar[Wordings] = Wordings(())
     leads: ClassVar[Wordings] = Wordings(())
-    """Its wordings from an end that has a direction; none if it can't be joined to such ends."""
+    """The wordings that begin at an end with a direction; empty if the connection cannot join such ends."""
 
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:  # noqa: ANN401 - pydantic's hook
-        """Refuse a class whose sentence leaves a number or an end unsaid; TypeError says which."""
+        """Raise TypeError if the sentence of a subclass omits a number or an end."""
         held = field_types(cls).items()
         numbers = {name for name, kind in held if (kind.measure is not None or kind.words) and not kind.hidden}
         for wordings, ends in ((cls.says.wordings, {"a", "b"}), (cls.leads.wordings, {"a", "way", "b"})):
@@ -63,7 +64,7 @@ class TwoEnded(Connection):
         return {}
 
     def describe(self, joint: Joint, writer: SentenceWriter) -> str:
-        """Return its sentence, begun at its first end that has a direction."""
+        """Return the sentence, beginning at the first end with a direction."""
         if len(joint.stops) != 2:
             raise SceneError(joint.name, f"a {self.key} joins two ports", "lead it past nothing")
         first, last = sorted(joint.stops, key=lambda stop: not self.way(stop.port))
@@ -81,14 +82,14 @@ class TwoEnded(Connection):
 
     @classmethod
     def way(cls, port: SitePort) -> str:
-        """Return the verb phrase with which it leaves a port that has a direction; empty for others."""
+        """Return the verb phrase of leaving a port with a direction; empty for other ports."""
         return port.leaves if cls.leads.wordings and isinstance(port, StringEnd) else ""
 
     @classmethod
     def parse(
         cls, name: str, place: int, state: S, matcher: SentenceMatcher[S], routes: Routes[S]
     ) -> Iterator[ParsedSentence[S]]:
-        """Yield its sentence read back: every wording, between every two ports that it can join."""
+        """Yield all parses of the sentence: every wording, between every two ports that it can join."""
         if place >= len(matcher.pieces):
             return
         text = matcher.pieces[place]
@@ -130,7 +131,7 @@ class TwoEnded(Connection):
 
     @classmethod
     def _ends(cls, slot: str, legs: dict[str, Leg[S]], routes: Routes[S], state: S) -> Iterator[Leg[S]]:
-        """Yield the ports that it can be joined to at an end, the other of which may be known."""
+        """Yield the ports that fit one end of the connection; the other end may be known."""
         other = tuple(leg.link for key, leg in legs.items() if key != slot)
         for leg in routes.legs(cls, state, other or NOWHERE if slot == "b" else ()):
             if leg.link not in other and cls.admits(leg.stops[0].port, "ab".index(slot), 1):
@@ -138,7 +139,7 @@ class TwoEnded(Connection):
 
 
 def _told(cls: type[Connection], template: str) -> set[str]:
-    """Return the ends and numbers that a wording tells, those that its words tell included."""
+    """Return the ends and numbers that a wording states, including those inside its words."""
     found = set(paths(template))
     for word in (cls.words[name] for name in found & cls.words.keys()):
         found |= {path for text in (*word.special.values(), word.otherwise) for path in paths(text)}
@@ -147,6 +148,6 @@ def _told(cls: type[Connection], template: str) -> set[str]:
 
 @cache
 def _pieces(template: str) -> tuple[tuple[str, str], ...]:
-    """Return a template as texts, each with the end or the way that follows it, or nothing."""
+    """Return a template as texts, each with the end or direction that follows it, or an empty string."""
     parts = _SLOTS.split(template)
     return tuple((parts[i], parts[i + 1] if i + 1 < len(parts) else "") for i in range(0, len(parts), 2))

@@ -1,1 +1,1 @@
-"""Parts that several entities share."""
+"""Parts shared by several entities."""

@@ -41,11 +41,11 @@ SENT_OFF = starting(
     "at t = 0 {bob} is launched {sent} with a speed of {speed}.",
     topic="start",
 )
-PENDULUM_PERIODS = 1.5  # of a small swing that the motion is followed for
+PENDULUM_PERIODS = 1.5  # periods of a small oscillation in the default duration
 
 
 def swings(length: float, gravity: float) -> float | None:
-    """Return how long, in s, to follow a bob that swings at a distance `length`, m, from a fixed point.
+    """Return the default duration for a bob that swings at a distance `length`, m, from a fixed point, s.
 
     None if `gravity`, in m/s², is zero, since nothing swings then.
     """
@@ -56,11 +56,11 @@ AssemblyDeflection = Annotated[
     float, Ge(0), Le(175), Measure("deflection", "deg", r"\theta", decimals=0), Range(5.0, 90.0)
 ]
 TurnRate = Annotated[AngularVelocity, Range(0.5, 4.0)]
-ASSEMBLY_PERIODS, LONGEST = 1.5, 6.0  # of a small swing that the motion is followed for, and s
+ASSEMBLY_PERIODS, LONGEST = 1.5, 6.0  # periods of a small oscillation in the default duration, and s
 
 
 class WeldedArm(Entity):
-    """Pieces welded to a light straight arm; `says` of a subclass begins with how the arm is held."""
+    """Base class of pieces welded to a light straight arm; `says` of a subclass begins with the support of the arm."""
 
     arm: Arm = Arm()
     pieces: Annotated[tuple[AnyPiece, ...], Len(1, 4), Count(1, 3)]
@@ -95,7 +95,7 @@ class WeldedArm(Entity):
     @field_validator("pieces")
     @classmethod
     def _sided(cls, pieces: tuple[AnyPiece, ...]) -> tuple[AnyPiece, ...]:
-        """On which side those after the first one are is always said."""
+        """Set the side of every piece after the first, which the text always states."""
         return tuple(piece.told_after(pieces[:number]) for number, piece in enumerate(pieces))
 
     @model_validator(mode="after")
@@ -125,7 +125,7 @@ class WeldedArm(Entity):
         return min(longest, ASSEMBLY_PERIODS * 2.0 * pi * sqrt(inertia / (gravity * max(abs(moment), 1e-9))))
 
     def build(self, room: Frame) -> None:
-        """A massless arm on a hinge; the pieces are welded to it, each with its own mass, inertia and centre."""
+        """Build a massless arm on a hinge, with the pieces welded to it."""
         angle = radians(self.angle)
         along, across = (sin(angle), 0.0, -cos(angle)), (cos(angle), 0.0, sin(angle))
         sense = -1.0 if self.angle == 0.0 else 1.0  # a hinge about y takes what hangs to the left
@@ -139,16 +139,16 @@ class WeldedArm(Entity):
 
 
 def holds_axle(piece: WeldedPiece) -> bool:
-    """Return whether a piece reaches past the axle, which only a thin rod along the arm may."""
+    """Return whether a piece extends past the axle, which only a thin rod along the arm may."""
     along_arm = isinstance(piece.shape, UniformRod) and not isinstance(piece, TiltedPiece)
     return not along_arm and piece.span[0] < 0.0 < piece.span[1]
 
 
 def overlap(one: WeldedPiece, other: WeldedPiece) -> bool:
-    """Return whether two pieces would be in one another.
+    """Return whether two pieces overlap.
 
-    A thin rod may cross another, or be beside what is small; one along the arm may end in what is thick on its own side
-    of the axle. What is small has its own place.
+    A thin rod may cross another, or be beside a small body; one along the arm may end in a thick body on its own side
+    of the axle. Two small bodies may not have the same position.
     """
     spans = one.span, other.span
     thin, point = list[bool](), list[bool]()

@@ -2,7 +2,7 @@
 
 
 def two_coefficients(where: str, of: str = "") -> tuple[str, ...]:
-    """Return sentences that state both coefficients `where` they hold (*on this plane*); `of` is their field."""
+    """Return sentences that state both friction coefficients; `where` is their location (*on this plane*)."""
     static, kinetic = (f"{{{of}{'.' * bool(of)}{name}}}" for name in ("static_friction", "friction"))
     return (
         f"the coefficients of static and kinetic friction {where} are {static} and {kinetic}, respectively.",

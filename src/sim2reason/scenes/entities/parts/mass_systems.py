@@ -1,4 +1,4 @@
-"""Mass systems: what hangs on, or is drawn by, one end of a string."""
+"""Mass systems at one end of a string."""
 
 from itertools import pairwise
 from math import cos, radians, sin
@@ -12,7 +12,7 @@ from sim2reason.scenes.bodies.sliders import Block
 from sim2reason.scenes.entities.parts.friction import two_coefficients
 
 MAX_BLOCKS = 5
-SPACING = 0.5  # m between neighbouring blocks of a row; their strings keep it, so it never matters
+SPACING = 0.5  # m between neighbouring blocks of a row, kept by their strings and without effect
 Blocks = Annotated[tuple[Block, ...], Len(1, MAX_BLOCKS), Count(1, 2)]
 FREE_WEDGE = either(
     "{wedge} is free to slide on a smooth floor.",
@@ -31,12 +31,12 @@ FRICTION_ON_PLANE = either(
 
 
 class MassSystem(Part):
-    """The base: `tail` is the free end of its string, `length` the free string between it and the next pulley."""
+    """Base class of mass systems; `tail` is the free end of the string, `length` its free length to the next pulley."""
 
     length: FreeLength = 3.0
 
     def build(self, room: Frame, side: float = 1.0) -> None:
-        """Build it so that its string arrives at the origin of `room`; a `side` of −1 mirrors it."""
+        """Build the system with its string ending at the origin of `room`; a `side` of −1 mirrors it."""
         raise NotImplementedError
 
 
@@ -63,7 +63,7 @@ class Hanging(MassSystem):
     )
 
     def build(self, room: Frame, side: float = 1.0) -> None:
-        """Blocks on vertical slides, the first one on top."""
+        """Build blocks on vertical slides, the first one on top."""
         del side
         for index, block in enumerate(self.blocks):
             depth = self.length + index * SPACING
@@ -94,7 +94,7 @@ class OnPlane(MassSystem):
     )
 
     def build(self, room: Frame, side: float = 1.0) -> None:
-        """Blocks that rest on the room's face, the last one highest."""
+        """Build blocks on the slope, the last one highest."""
         row(room, self.blocks, self.plane, self.length, side)
 
 
@@ -125,7 +125,7 @@ class OnWedge(MassSystem):
     )
 
     def build(self, room: Frame, side: float = 1.0) -> None:
-        """The wedge on the floor, the blocks on its face; the string leaves horizontally from its top."""
+        """Build the wedge on the floor with blocks on its face; the string leaves horizontally from its top."""
         corner = scale(-self.length, scale(side, X))
         wedge = room.body("wedge", self.wedge.mass, at=corner).rest(along=X, normal=Z)
         wedge.site("corner", faces=scale(side, X))
@@ -155,7 +155,7 @@ def row(
 
 
 def link(room: Frame, count: int, first: str = "hook0", last: str = "") -> None:
-    """Light strings between neighbours in a row of blocks; the first or last hook has a name of its own."""
+    """Add light strings between neighbours in a row of blocks; the first or last hook has a name of its own."""
     hooks = [first, *(f"hook{index}" for index in range(1, count))]
     if last:
         hooks = [*(f"hook{index}" for index in range(count - 1)), last]

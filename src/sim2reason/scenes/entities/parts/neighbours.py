@@ -1,4 +1,4 @@
-"""Neighbours on a straight track: what joins them, what is between them, how they bounce; and the lines that tell it."""
+"""Neighbours on a straight track: connections, buffers and restitutions between them, with their sentences."""
 
 from collections.abc import Container, Sequence
 from math import ceil, inf
@@ -14,7 +14,7 @@ from sim2reason.scenes.dsl.model import field_types, rebuilt
 
 Index = Annotated[int, Ge(0), Le(5), Member("gliders")]
 Wall = Annotated[float, Ge(-1e3), Le(1e3), Measure("position of a wall", "m", "X", decimals=2)]
-ROOM, SPRUNG = 0.3, 0.9  # m, at least, between neighbours that are drawn, and between those that a spring joins
+ROOM, SPRUNG = 0.3, 0.9  # m, least distance of drawn neighbours, and of those joined by a spring
 
 
 class Pair(Part):
@@ -43,25 +43,25 @@ class Buffered(Pair):
 
 
 def alike(gliders: Sequence[Glider]) -> tuple[Glider, ...]:
-    """Return the same, all of the class of the first."""
+    """Return the gliders, all converted to the class of the first."""
     kind = type(gliders[0])
     return tuple(kind(mass=glider.mass, x=glider.x, v=glider.v) for glider in gliders)
 
 
 Sprung = TypeVar("Sprung", Joined, Buffered)
-HARDEST = {Buffered: 2000.0, Joined: 500.0}  # N/m, of springs that are drawn: those that join swing on and on
+HARDEST = {Buffered: 2000.0, Joined: 500.0}  # N/m, of drawn springs; joined bodies keep oscillating
 
-SQUEEZED = 0.45  # of its length, by which a spring between two bodies becomes shorter at most
+SQUEEZED = 0.45  # fraction of its length: largest compression of a spring between two bodies
 
 
 def fit(gliders: Sequence[Glider], joined: Sequence[Joined], buffers: Sequence[Buffered]) -> dict[str, object]:
-    """Return what was drawn, from left to right with room between neighbours, and on firm springs."""
+    """Return the drawn gliders from left to right with sufficient distances, and stiff springs."""
     ordered = _apart(sorted(gliders, key=lambda glider: glider.x), {pair.first for pair in joined})
     return {"gliders": ordered, "joined": _firm(joined, ordered), "buffers": _firm(buffers, ordered)}
 
 
 def _apart(gliders: Sequence[Glider], joined: Container[int]) -> tuple[Glider, ...]:
-    """Neighbours too near each other are moved to the right, and back to the left from where no place is drawn."""
+    """Return gliders with sufficient distances, shifted to the right and back into the range of positions."""
     drawn = field_types(Glider)["x"].drawn
     last = drawn.high if drawn is not None else inf
     places = [glider.x for glider in gliders]
@@ -74,7 +74,7 @@ def _apart(gliders: Sequence[Glider], joined: Container[int]) -> tuple[Glider, .
 
 
 def _firm(pairs: Sequence[Sprung], gliders: Sequence[Glider]) -> tuple[Sprung, ...]:
-    """Return those whose springs are stiff enough, or can be made so, that nothing compresses them to nothing.
+    """Return the pairs whose springs are stiff enough, or can be made so, to avoid full compression.
 
     With a reduced mass µ and a relative speed of at most twice the largest, ½µ(2v)² = ½kd² where d is 0.45 of the room.
     """

@@ -1,4 +1,4 @@
-"""Pieces of a rigid body that turns about an axle: what each is, where on its arm it sits, and how it is turned.
+"""Pieces of a rigid body on an arm: bodies with their positions and orientations.
 
 In an arm's own axes x points along the arm, away from the axle, y along the axle, and z at right angles to both.
 """
@@ -38,31 +38,31 @@ WAYS = {"along the arm": X, "parallel to the axle": Y, "at right angles to both 
 
 
 class WeldedPiece(Part):
-    """A body on an arm; `distance` is that of what the text calls its centre."""
+    """Base class of bodies on an arm; `distance` is that of the centre named in the text."""
 
     words = {"where": Word("side", {FIRST: FIRST}, f"{FIRST}, {{side}}")}
 
     distance: Distance
     side: Annotated[Side, Chance(0.3)] = FIRST
-    """That of the first piece on the arm, or the other one."""
+    """The piece that defines the side: the first one on the arm, or the other one."""
 
     @property
     def shape(self) -> Shape:
-        """The body."""
+        """Return the body."""
         raise NotImplementedError
 
     @property
     def axes(self) -> Axes:
-        """Return where its own axes point, in those of the arm."""
+        """Return the orientation of the body in the axes of the arm."""
         raise NotImplementedError
 
     @property
     def place(self) -> float:
-        """Return where it is along the arm, m; negative on the other side of the axle."""
+        """Return the position along the arm, m; negative on the other side of the axle."""
         return -self.distance if self.side in (OTHER, UNLIKE_FIRST) else self.distance
 
     def told_after(self, earlier: Sequence["WeldedPiece"]) -> Self:
-        """With its side in the words that say it: once a piece is on the other side, *same* and *other* do not."""
+        """Return the piece with unambiguous words for its side: *same* and *other* only while all are on one side."""
         opposite = self.place < 0.0
         if any(piece.place < 0.0 for piece in earlier):
             side = UNLIKE_FIRST if opposite else LIKE_FIRST
@@ -72,12 +72,12 @@ class WeldedPiece(Part):
 
     @property
     def span(self) -> tuple[float, float]:
-        """From where to where it reaches along the arm, m."""
+        """Return the least and greatest position along the arm, m."""
         ahead, behind = seen(X, self.axes), seen(scale(-1.0, X), self.axes)
         return self.place - self.shape.reach(behind), self.place + self.shape.reach(ahead)
 
     def outwards(self, *, away: bool) -> Axes:
-        """Axes of which z points away from the axle, or towards it."""
+        """Return axes with z pointing away from the axle, or towards it."""
         return axes_along(scale(1.0 if away == (self.place > 0.0) else -1.0, X))
 
 
@@ -96,12 +96,12 @@ class BallPiece(WeldedPiece):
 
     @property
     def shape(self) -> Shape:
-        """The ball."""
+        """Return the ball."""
         return self.body
 
     @property
     def axes(self) -> Axes:
-        """Any."""
+        """Return arbitrary axes, as the ball is symmetric."""
         return axes_along(X)
 
 
@@ -120,12 +120,12 @@ class RoundPiece(WeldedPiece):
 
     @property
     def shape(self) -> Shape:
-        """The sphere."""
+        """Return the sphere."""
         return self.body
 
     @property
     def axes(self) -> Axes:
-        """Any."""
+        """Return arbitrary axes, as the sphere is symmetric."""
         return axes_along(X)
 
 
@@ -145,12 +145,12 @@ class AxialPiece(WeldedPiece):
 
     @property
     def shape(self) -> Shape:
-        """The body."""
+        """Return the body."""
         return self.body
 
     @property
     def axes(self) -> Axes:
-        """Round its own axis it looks the same."""
+        """Return axes with z along the body's axis of symmetry."""
         return axes_along(WAYS[self.axis])
 
 
@@ -173,12 +173,12 @@ class TiltedPiece(WeldedPiece):
 
     @property
     def shape(self) -> Shape:
-        """The body."""
+        """Return the body."""
         return self.body
 
     @property
     def axes(self) -> Axes:
-        """Round its own axis it looks the same."""
+        """Return axes with z along the body's tilted axis of symmetry."""
         return axes_along((cos(radians(self.tilt)), sin(radians(self.tilt)), 0.0))
 
 
@@ -198,12 +198,12 @@ class CappedPiece(WeldedPiece):
 
     @property
     def shape(self) -> Shape:
-        """The cap."""
+        """Return the cap."""
         return self.body
 
     @property
     def axes(self) -> Axes:
-        """The pole is where it does not face."""
+        """Return axes with z towards the pole, opposite to the flat face."""
         return self.outwards(away=self.faces == "the axle")
 
 
@@ -223,12 +223,12 @@ class HoledPiece(WeldedPiece):
 
     @property
     def shape(self) -> Shape:
-        """The sphere."""
+        """Return the sphere."""
         return self.body
 
     @property
     def axes(self) -> Axes:
-        """From its centre to the hole."""
+        """Return axes with z from the centre to the hole."""
         return self.outwards(away=self.hole == "farther from the axle")
 
 
@@ -255,12 +255,12 @@ class BarPiece(WeldedPiece):
 
     @property
     def shape(self) -> Shape:
-        """The bar."""
+        """Return the bar."""
         return self.body
 
     @property
     def axes(self) -> Axes:
-        """Its width, thickness and length as its x, y and z; the third one as the other two leave it."""
+        """Return axes along width, thickness and length; the third follows from the other two."""
         order = ("width", "thickness", "length")
         along, across = order.index(self.along), order.index(self.across)
         ways = {along: X, across: Y, 3 - along - across: Z}

@@ -1,4 +1,4 @@
-"""What several rolling entities share: how a body and its plane hold together, and how it starts."""
+"""Parts of rolling entities: friction between body and plane, and the initial motion."""
 
 from math import cos, inf, radians, sin
 from typing import Annotated, Literal, Self
@@ -27,11 +27,11 @@ Way = Literal["up the slope", "down the slope", "to the right"]
 
 
 class Grip(Part):
-    """How strongly a body and its plane rub."""
+    """Base class of the friction between a body and its plane."""
 
     @property
     def coefficient(self) -> float:
-        """The coefficient of friction; infinite where nothing ever slips."""
+        """Return the coefficient of kinetic friction; infinite if the body never slips."""
         raise NotImplementedError
 
     @property
@@ -53,7 +53,7 @@ class NoSlipping(Grip):
 
     @property
     def coefficient(self) -> float:
-        """Friction is as strong as it must be."""
+        """Return infinity, since the body never slips."""
         return inf
 
 
@@ -83,17 +83,17 @@ class Rough(Grip):
 
 
 class Start(Part):
-    """How it moves at the start."""
+    """Base class of initial motions."""
 
     way: Way
 
     @property
     def sign(self) -> float:
-        """Return whether that is up the slope, or to the right."""
+        """Return the sign of the motion: 1 up the slope or to the right, else −1."""
         return -1.0 if self.way == "down the slope" else 1.0
 
     def motion(self, radius: float) -> tuple[float, float]:
-        """Return its speed up the slope, m/s, and its angular velocity the way in which it would roll there, rad/s."""
+        """Return the initial speed up the slope, m/s, and the angular velocity in the sense of rolling, rad/s."""
         raise NotImplementedError
 
 
@@ -111,7 +111,7 @@ class Rolling(Start):
     )
 
     def motion(self, radius: float) -> tuple[float, float]:
-        """V = Rω."""
+        """Return the initial velocities of rolling, v = Rω."""
         return self.sign * self.speed, self.sign * self.speed / radius
 
 
@@ -129,7 +129,7 @@ class Sliding(Start):
     )
 
     def motion(self, radius: float) -> tuple[float, float]:
-        """It has no angular velocity."""
+        """Return the initial velocities of sliding, with zero angular velocity."""
         del radius
         return self.sign * self.speed, 0.0
 
@@ -176,10 +176,10 @@ class Hole(Part):
 
     @property
     def way(self) -> Vector:
-        """From the centre to the hole, a unit vector; uphill and right are x."""
+        """Return the unit vector from the centre to the hole; x points uphill or to the right."""
         side = -1.0 if self.towards == "downhill" else 1.0
         return (side * sin(radians(self.bearing)), 0.0, cos(radians(self.bearing)))
 
     def fits(self, *, level: bool) -> bool:
-        """Return whether it is told as a level or a sloping plane needs."""
+        """Return whether the direction of the hole is described as a level or a sloping plane requires."""
         return self.bearing in (0.0, 180.0) or level == (self.towards == "right")

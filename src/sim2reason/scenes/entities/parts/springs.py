@@ -1,4 +1,4 @@
-"""Springs of entities, and their initial stretch."""
+"""Springs of entities and their initial extension."""
 
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal, Self
@@ -22,9 +22,9 @@ from sim2reason.scenes.authoring import (
 from sim2reason.scenes.bodies.spring import Spring
 from sim2reason.scenes.dsl.model import as_said, rebuilt
 
-LONG = Range(0.85, 1.15)  # times its natural length that a drawn spring is long at the start
-FIRM = Range(6.0, 15.0)  # times the weight of the block that would stretch it to twice its length
-SHORTEST = 0.3  # m, by itself
+LONG = Range(0.85, 1.15)  # initial length of a drawn spring, in natural lengths
+FIRM = Range(6.0, 15.0)  # stiffness times length, in weights of the block
+SHORTEST = 0.3  # m, natural length
 StartLength = Annotated[Length, Range(0.2, 1.0)]
 START_LENGTH_SENTENCE = placing(
     "initially {spring} has a length of {start}.",
@@ -56,7 +56,7 @@ class Strained(Part):
         return self
 
     def of(self, spring: int) -> float:
-        """By how much a spring, given by its index, is longer than it would be by itself, m."""
+        """Return the initial extension of a spring given by its index, m."""
         signed = self.by if self.way == "stretched" else -self.by
         return signed if spring == self.spring else 0.0
 
@@ -69,7 +69,7 @@ class Blow(Part):
     speed: Annotated[Speed, Range(0.3, 2.0)]
 
     def velocity(self, cart: int) -> float:
-        """Of a cart, given by its index, to the right, m/s."""
+        """Return the initial velocity of a cart given by its index, to the right, m/s."""
         signed = self.speed if self.toward == "right" else -self.speed
         return signed if cart == self.cart else 0.0
 
@@ -79,13 +79,13 @@ DASHPOTS = either(
     "beside {springs:the spring/each spring} acts a light dashpot, whose damping constant is {damping}.",
     "a light dashpot with a damping constant of {damping} acts in parallel with {springs:the spring/each spring}.",
 )
-"""The line of an entity with `springs` that all have the same `damping`."""
+"""The sentence of an entity with `springs` that all have the same `damping`."""
 
 STRAINED = Word(
     "strain.by",
     {0.0: "{springs:the spring is/all springs are} relaxed"},
     "{strain.spring>springs} is {strain.way} by {strain.by}{springs:/ and the other spring is relaxed/ and the other springs are relaxed}",
 )
-"""How an entity with `springs` tells which of them has a `strain`: its word *strained*, which `STRAIN_SENTENCE` uses."""
+"""The word *strained*, by which `STRAIN_SENTENCE` states the spring with a `strain`."""
 
 STRAIN_SENTENCE = placing("initially {strained}.", "at the start {strained}.", "at first {strained}.")

@@ -1,9 +1,10 @@
-"""The exact engine: from event to event by closed forms where nothing bends, and by integration where something does.
+"""The exact engine: closed-form motion between events if the equations are constant, else numerical integration.
 
-`assembly` writes the equations of motion once, for numbers and for symbols; `dsl.constancy` says whether they ever
-change. At each event `settling` lets what collides bounce (`impulses`) and finds what acts (`balance`, by the search
-in `contact_modes`). On to the next event then goes `glide`, in closed form, or `flow`, which integrates (`dop853`) the
-code that `formulas` writes on a `tape`, and locates events on its steps (`margins`, `crossings`). `engine` is the loop.
+`assembly` builds the equations of motion for numbers and for symbols; `dsl.constancy` decides whether they are
+constant. At each event `settling` computes impacts (`impulses`) and the acting forces (`balance`, by the search in
+`contact_modes`). The motion to the next event is computed by `glide` in closed form, or by `flow`, which integrates
+(`dop853`) the code that `formulas` generates on a `tape` and locates events within steps (`margins`, `crossings`).
+`engine` is the main loop.
 """
 
 from sim2reason.simulation.engines.exact.engine import motion, simulate

@@ -1,7 +1,7 @@
 """Detection of results on a tape that are affine functions of its inputs, with exact rational coefficients.
 
-Equations of springs along fixed lines, dashpots and constant forces are of this kind. What is found here is a proof,
-and it loses no digit: differences of numbers of unlike size, as of a stiff and of a soft spring, would.
+The equations of springs along fixed lines, dashpots and constant forces are affine. The result is a proof and is free
+of round-off: numerical differences of very unequal numbers, as for a stiff and a soft spring, would lose digits.
 """
 
 from collections.abc import Sequence
@@ -17,9 +17,9 @@ from sim2reason.simulation.engines.exact.eigenpairs import Complex, eigenpairs
 from sim2reason.simulation.engines.exact.tape import Symbol, Tape
 
 Affine = dict[int, Fraction]
-"""Nonzero coefficients by the number of the input; the key −1 has the constant term."""
-CONSTANT = -1
-TIME = 0  # the number of the input that is the time
+"""Nonzero coefficients by the index of the input; the key −1 holds the constant term."""
+CONSTANT = -1  # key of the constant term
+TIME = 0  # index of the input that is the time
 
 
 @dataclass(frozen=True)
@@ -38,19 +38,19 @@ class LinearEquations:
 
     @cached_property
     def squares(self) -> tuple[Complex, Complex]:
-        """Squared angular frequencies, 1/s², and mode shapes of undamped equations."""
+        """Return the squared angular frequencies, 1/s², and the mode shapes of undamped equations."""
         n = len(self.base)
         return eigenpairs([[-part for part in row[:n]] for row in self.slopes])
 
     def accelerations(self, values: Sequence[float]) -> Array:
-        """Return the accelerations at coordinates and rates (2n,), each rounded once."""
+        """Return the accelerations (n,) at coordinates and rates (2n,), each rounded once."""
         x = [Fraction(value) for value in values]
         totals = zip(self.base, self.slopes, strict=True)
         return np.array([float(base + sum(map(_times, row, x), Fraction())) for base, row in totals])
 
 
 def linear_equations(tape: Tape, accelerations: Sequence[Number], margins: Sequence[Number]) -> LinearEquations | None:
-    """Return accelerations and margins with their slopes; None if any is not affine or depends on the time itself."""
+    """Return accelerations and margins as affine functions; None if one is not affine or depends on time."""
     found = _coefficients(tape, [*accelerations, *margins])
     if found is None or any(TIME in each for each in found):
         return None
@@ -74,7 +74,7 @@ def _coefficients(tape: Tape, numbers: Sequence[Number]) -> list[Affine] | None:
 
 
 def _needed(tape: Tape, numbers: Sequence[Number]) -> set[int]:
-    """Return the nodes that some numbers are made of; each comes after those that it is made of."""
+    """Return the tape nodes on which the given numbers depend, operands before results."""
     waiting, found = [number.id for number in numbers if isinstance(number, Symbol)], set[int]()
     while waiting:
         number = waiting.pop()
@@ -87,7 +87,7 @@ def _needed(tape: Tape, numbers: Sequence[Number]) -> set[int]:
 
 
 def _of_node(tape: Tape, number: int, known: dict[int, Affine | None]) -> Affine | None:
-    """Return the coefficients of a node from those of the nodes that it is made of; None if it is not affine."""
+    """Return the affine coefficients of a node from those of its operands; None if it is not affine."""
     operation, a, b = tape.nodes[number]
     if operation == "input":
         return {a: Fraction(1)}

@@ -1,8 +1,8 @@
-"""The equations of motion of a mechanism, assembled once for any kind of number.
+"""Assembly of the equations of motion of a mechanism, for floats or symbols.
 
-With floats they are the numbers of one instant, with symbols the formulas of all. Unknowns are the n coordinates and,
-for each of the c contacts, the distance that the body would rise from its face: that distance stays zero, and its row
-of the equations gives the normal force.
+With floats the result holds at one instant, with symbols at all instants. Unknowns are the n coordinates and, for each
+of the c contacts, the distance by which the body would rise from its face: that distance stays zero, and its row of the
+equations gives the normal force.
 """
 
 from collections.abc import Mapping, Sequence
@@ -47,7 +47,7 @@ Numbers = list[Number]
 
 
 def of_time(mechanism: Mechanism, phase: Phase, time: Number) -> dict[str, Number]:
-    """Return the masses of all bodies at a time: those that burn grow lighter."""
+    """Return the masses of all bodies at a time, in kg; rockets lose the mass of burnt fuel."""
     masses: dict[str, Number] = {body.name: float(body.mass) for body in mechanism.bodies}
     for burn, burning in zip(mechanism.burns, phase.burning, strict=True):
         masses[burn.body] = masses[burn.body] - burn.rate * (time if burning else burn.until)
@@ -55,7 +55,7 @@ def of_time(mechanism: Mechanism, phase: Phase, time: Number) -> dict[str, Numbe
 
 
 class Assembly:
-    """Mass matrix, loads, rows, slips and gaps of a mechanism for given coordinates, rates and time."""
+    """Mass matrix, loads, constraint rows, slips and gaps of a mechanism for given coordinates, rates and time."""
 
     def __init__(
         self,
@@ -65,7 +65,7 @@ class Assembly:
         maths: Maths,
         frames: Frames | None = None,
     ) -> None:
-        """`state` holds the coordinates, their rates, and the time; `frames` spare the walk where they are known."""
+        """Assemble the equations at `state` (coordinates, rates, time); reuse precomputed `frames` if given."""
         self.mechanism, self.phase, self.maths = mechanism, phase, maths
         self.q, self.v, self.time = state
         self.n, self.c = len(mechanism.coordinates), len(mechanism.faces)
@@ -83,7 +83,7 @@ class Assembly:
     # ---- inertia
 
     def _body(self, name: str) -> None:
-        """M = Σ m JᵀJ + Jᵀ I J, and what its own motion and weight load it with."""
+        """Add the mass matrix Σ m JᵀJ + Jᵀ I J, the inertial loads and the weight of one body."""
         frame, point, mass = self.frames[name], self.frames.center(name), self.masses[name]
         if not (type(mass) is float and mass == 0.0):
             weight = plus(times(mass, self.mechanism.gravity), times(-mass, point.bias))
@@ -106,7 +106,7 @@ class Assembly:
             self._spinning(frame, self.mechanism.body[name].inertia)
 
     def _spinning(self, frame: BodyFrame, inertia: Tensor) -> None:
-        """Jᵀ I J of the rotation, and −Jᵀ(I α + ω × Iω), in the body's own axes, where I is constant."""
+        """Add the rotational inertia Jᵀ I J and loads −Jᵀ(I α + ω × Iω), in the body's axes, where I is constant."""
         turning = frame.turning
         own = [(number, frame.unturned(axis)) for number, axis in turning.gradient.items()]
         spin, bias = frame.unturned(turning.velocity), frame.unturned(turning.bias)
@@ -118,13 +118,13 @@ class Assembly:
             self.force[i] = self.force[i] - product(axis, torque)
 
     def full_mass(self) -> list[Numbers]:
-        """Return the mass matrix with both of its halves."""
+        """Return the complete symmetric mass matrix (n, n) from its stored lower half."""
         return [[*row[: i + 1], *(below[i] for below in self.mass[i + 1 :])] for i, row in enumerate(self.mass)]
 
     # ---- loads
 
     def _push(self, point: Point, force: Triple) -> None:
-        """Add a force at a point."""
+        """Add the generalized loads of a force at a point."""
         for i, axis in point.gradient.items():
             self.force[i] = self.force[i] + product(axis, force)
         for i, normal in point.lift.items():
@@ -164,7 +164,7 @@ class Assembly:
 
     @staticmethod
     def tension(line: Line, length: PathLength) -> Number:
-        """Return the tension that a line's law gives: of a spring, or of what a hand draws."""
+        """Return the tension of a line by its force law: that of a spring or of a prescribed pull."""
         law = line.law
         if isinstance(law, ConstantTension):
             return law.force
@@ -179,7 +179,7 @@ class Assembly:
     # ---- lengths and rows
 
     def length(self, line: Line) -> PathLength:
-        """Return the length of a line: Σ |Δr| + Σ radius·angle."""
+        """Return the length of a line, Σ |Δr| + Σ radius·angle, with its derivatives."""
         along: dict[int, Number] = {}
         lift: dict[int, Number] = {}
         value: Number = 0.0
@@ -198,7 +198,7 @@ class Assembly:
         return PathLength(value, rate, bias, along, lift)
 
     def rows(self, starts: Mapping[str, float]) -> list[RowTerms]:
-        """Return all rows, in the order of `row_kinds`; `starts` has each line's length at the start."""
+        """Return all constraint rows in the order of `row_kinds`; `starts` holds the initial length of each line."""
         found = [self._line_row(line, starts[line.name]) for line in self.mechanism.constraints]
         for foot in self.mechanism.feet:
             point = self.frames.site(foot.site)
@@ -226,7 +226,7 @@ class Assembly:
         return RowTerms(length.along, length.lift, spare, rate, -length.bias)
 
     def separation(self, meeting: Meeting) -> Separation:
-        """Return how far apart the two of a meeting are, and how that changes."""
+        """Return the gap between the two bodies of a collision pair, with its gradient, rate and bias."""
         other = self.frames.center(meeting.b)
         one = ORIGIN if meeting.a is None else self.frames.center(meeting.a)
         if meeting.normal is None:
@@ -242,7 +242,7 @@ class Assembly:
 
 
 def _power(distance: Number, square: Number, power: float) -> Number:
-    """Return a distance to a power: a whole one by products, so that symbols need no more than a root."""
+    """Return a distance to a power; even exponents need only products of its square, so that symbols need no root."""
     found: Number = distance if power % 2 else 1.0
     for _ in range(int(power) // 2):
         found = found * square

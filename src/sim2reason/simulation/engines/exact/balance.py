@@ -1,4 +1,4 @@
-"""The forces of one instant, and the contacts that come apart then."""
+"""The forces and accelerations at one instant, and the contacts that separate there."""
 
 from dataclasses import dataclass, replace
 from math import nan
@@ -8,12 +8,12 @@ from sim2reason.simulation.engines.exact.lengths import RowKind
 from sim2reason.simulation.engines.exact.linear import Forces, Gradient, Mode, Problem, Row, Solution, gradient, solve
 from sim2reason.simulation.engines.exact.system import Instant, System
 
-RISING = 1e-9  # of the largest velocity or acceleration: a contact that opens does so faster
-PIVOTS = 64  # sets of contacts that are tried before the one that is pulled most is named
+RISING = 1e-9  # fraction of the largest velocity or acceleration: a separating contact opens faster than this
+PIVOTS = 64  # sets of separating contacts tried before the contact with the most negative normal force is returned
 
 
 def lifted(problem: Problem, heave: list[Row], found: Solution, small: float) -> tuple[int, ...]:
-    """Return the numbers of the contacts that separate, in order; none if no normal force is below -`small`.
+    """Return the indices of the contacts that separate, in order; empty if no normal force is below -`small`.
 
     `heave` is the mass matrix of the rises alone, (c, c): Σ m n·n′ over the bodies that both carry.
     """
@@ -40,7 +40,7 @@ def lifted(problem: Problem, heave: list[Row], found: Solution, small: float) ->
 def _rises(
     problem: Problem, heave: list[Row], mode: Mode, apart: tuple[int, ...], small: float
 ) -> tuple[tuple[int, ...], frozenset[int]]:
-    """Those of `apart` that rise if these contacts and no others are open, and all that show that it is not so."""
+    """Return the contacts of `apart` that open if exactly these separate, and those that contradict it."""
     opened, kept = _opened(problem, heave, apart)
     rubbing = tuple(side for grip, side in zip(problem.grips, mode.rubbing, strict=True) if grip.contact not in apart)
     found = search(opened, Mode(mode.acting, rubbing))
@@ -52,7 +52,7 @@ def _rises(
 
 
 def _opened(problem: Problem, heave: list[Row], apart: tuple[int, ...]) -> tuple[Problem, list[int]]:
-    """Return the same problem with the rises of `apart` among the coordinates; and the contacts that are left."""
+    """Return the problem with the rises of the contacts `apart` as extra coordinates, and the contacts still closed."""
     kept = [number for number in range(len(problem.press)) if number not in apart]
     place = {number: new for new, number in enumerate(kept)}
 
@@ -85,25 +85,25 @@ def _raised(row: Gradient, apart: tuple[int, ...], kept: list[int]) -> Gradient:
     return gradient([*row.along, *(row.lift[j] for j in apart)], [row.lift[i] for i in kept])
 
 
-FAINT = 1e-9  # an entry of a force pattern that is not there
+FAINT = 1e-9  # threshold below which an entry of a force pattern counts as zero
 
 
 @dataclass(slots=True)
 class Balance:
-    """Acceleration, multipliers and mode; of all rows and all contacts."""
+    """Accelerations, constraint forces and contact mode at one instant, for all rows and contacts."""
 
     a: Row
     rows: Row
     normal: Row
     friction: Row
     mode: Mode
-    lifted: tuple[int, ...]  # the contacts that come apart
-    loose: bool  # a massless part that no force holds
+    lifted: tuple[int, ...]  # the contacts that separate
+    loose: bool  # whether a massless part is held by no force
 
 
 @dataclass(slots=True)
 class Demand:
-    """What may act: `tight` rows, `sliding` sides that no search may change, and the mode just before."""
+    """The constraints that may act: `tight` rows, prescribed `sliding` sides, and the preceding contact mode."""
 
     tight: list[int]
     sliding: tuple[int, ...]
@@ -112,7 +112,7 @@ class Demand:
 
 
 def balance(system: System, instant: Instant, demand: Demand) -> Balance:
-    """Find the forces; raises NoForcesError if there are none that are consistent."""
+    """Compute the forces and accelerations of an instant; raise NoForcesError if no consistent forces exist."""
     tight, kinds = demand.tight, demand.kinds
     place = {number: new for new, number in enumerate(tight)}
     loads = instant.loads
@@ -145,7 +145,7 @@ def balance(system: System, instant: Instant, demand: Demand) -> Balance:
 
 
 def _kept(problem: Problem, found: Solution, before: Mode, small: float) -> Mode:
-    """Return the mode found, less the changes that nothing shows.
+    """Return the contact mode of a solution without changes from the mode `before` that have no observable effect.
 
     A string that was taut stays so under no tension while its ends do not come together, and a contact at rest that is
     not accelerated sticks, though of forces that are not determined some let it slide at no speed.
@@ -161,7 +161,7 @@ def _kept(problem: Problem, found: Solution, before: Mode, small: float) -> Mode
 
 
 def _open(spare: list[Forces], forces: Forces) -> Forces:
-    """Return the multipliers, NaN where a force pattern without effect could be added."""
+    """Return the multipliers, with NaN for those that the motion does not determine."""
     if not spare:
         return forces
     return Forces(*(_masked(values, [pattern[kind] for pattern in spare]) for kind, values in enumerate(forces)))
@@ -175,7 +175,7 @@ def _masked(values: Row, patterns: list[Row]) -> Row:
 
 
 def _unheld(instant: Instant, problem: Problem, found: Solution, forces: Forces, small: float) -> bool:
-    """Return whether some massless part is held by nothing, or only by strings that do not pull."""
+    """Return whether some massless part is held by nothing, or only by strings without tension."""
     weightless = instant.loads.weightless
     if not weightless:
         return False
@@ -202,7 +202,7 @@ def _spread(
     *,
     loose: bool,
 ) -> Balance:
-    """From the rows and contacts that took part to all of them."""
+    """Return the solution for the active rows and contacts, extended to all rows and contacts."""
     count = len(demand.kinds)
     rows, acting = [0.0] * count, [False] * count
     for number, force, acts in zip(demand.tight, forces.rows, kept.acting, strict=True):
@@ -215,5 +215,5 @@ def _spread(
 
 
 def _clipped(force: float) -> float:
-    """Rounding may leave a force that can't push a hair below zero."""
+    """Return the force, with small negative values from round-off replaced by zero."""
     return max(force, 0.0)

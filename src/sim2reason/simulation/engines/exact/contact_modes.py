@@ -1,7 +1,7 @@
-"""What acts and what gives way: one search for forces and, at an impact, for impulses.
+"""Search for the contact mode (active constraints, sticking and sliding contacts) of forces or impulses.
 
-Starting from a guess, a mode's linear system is solved and what is violated is flipped until nothing is; if that goes
-in circles, all modes are tried in order. See `problem` for the equations.
+Starting from a guess, the linear system of a mode is solved and violated conditions are flipped until none is
+violated; if the iteration cycles, all modes are tried in order. See `problem` for the equations.
 """
 
 from collections.abc import Iterator
@@ -13,30 +13,30 @@ from sim2reason.errors import SimulationError
 from sim2reason.simulation.engines.exact.linear import Forces, Mode, Problem, RoughContact, Row, Solution, dot, solve
 from sim2reason.simulation.engines.exact.redundant_supports import bearing
 
-TOLERANCE = 1e-10  # of the largest load or velocity: what still counts as zero
-FLIPS = 40
-MODES = 2000  # that are tried one by one before the search gives up
-EVALUATION, BEARING = 2_000, 50_000  # operations that a mode and a search for other forces cost at least
-FAINT = 1e-6  # of the largest mass: what a massless body that nothing holds gets, for the search alone
+TOLERANCE = 1e-10  # fraction of the largest load or velocity: values below count as zero
+FLIPS = 40  # iterations of the search before all modes are tried
+MODES = 2000  # largest number of modes for an exhaustive search
+EVALUATION, BEARING = 2_000, 50_000  # least operations of one mode and of a search for alternative forces
+FAINT = 1e-6  # fraction of the largest mass: artificial mass of a massless unsupported body during the search
 
 
 class NoForcesError(SimulationError):
-    """No mode is consistent; who knows the bodies says which of them rub."""
+    """An error if no contact mode is consistent; the caller adds the names of the rough contacts."""
 
 
 @dataclass(slots=True)
 class Flips:
-    """The changes of a mode that a solution asks for."""
+    """The changes of a contact mode that correct the violations of a solution."""
 
     rows: list[int] = field(default_factory=list[int])
     rubbing: list[tuple[int, int]] = field(default_factory=list[tuple[int, int]])
 
     def count(self) -> int:
-        """Return how many there are."""
+        """Return the number of changes."""
         return len(self.rows) + len(self.rubbing)
 
     def apply(self, mode: Mode) -> Mode:
-        """Return the mode with all changes made."""
+        """Return the contact mode with all changes applied."""
         acting, rubbing = list(mode.acting), list(mode.rubbing)
         for number in self.rows:
             acting[number] = not acting[number]
@@ -51,7 +51,7 @@ class Flips:
 
 
 def search(problem: Problem, guess: Mode) -> Solution:
-    """Return the solution that violates nothing, nearest to the guess.
+    """Return the first consistent solution, starting from a guess of the contact mode.
 
     Normal forces may come out negative: the caller then ends the motion. Friction has no law for them, so only
     if no mode is consistent is friction let off where the normal force is negative.
@@ -83,7 +83,7 @@ def _searched(problem: Problem, guess: Mode, *, lenient: bool) -> Solution | Non
 
 
 def linked(problem: Problem, mode: Mode) -> Mode:
-    """Return the mode with every row that follows another one acting as that one does, and all that is held acting."""
+    """Return the contact mode, corrected so that held rows act and dependent rows act exactly with their leaders."""
     if not any(problem.held):
         return mode
     acting = list(mode.acting)
@@ -93,7 +93,7 @@ def linked(problem: Problem, mode: Mode) -> Mode:
 
 
 def _exhausted(problem: Problem, tried: set[Mode], *, lenient: bool) -> Solution | None:
-    """Try all modes in order, those with most that acts and sticks first."""
+    """Try all contact modes in order, those with the most acting rows and sticking contacts first."""
     choices: list[tuple[int, ...]] = [(True,) if held else (True, False) for held in problem.held]
     choices += [
         (0,) if grip.never else (side,) if side else (0, 1, -1)
@@ -113,7 +113,7 @@ def _exhausted(problem: Problem, tried: set[Mode], *, lenient: bool) -> Solution
 
 
 def evaluate(problem: Problem, mode: Mode) -> Solution:
-    """Solve the linear system of one mode."""
+    """Solve the linear system of one contact mode."""
     n = len(problem.force)
     active = [number for number, acts in enumerate(mode.acting) if acts]
     problem.budget.spend(EVALUATION + (n + len(active)) ** 3)
@@ -143,15 +143,15 @@ def evaluate(problem: Problem, mode: Mode) -> Solution:
 
 
 def _extra(grip: RoughContact, side: int) -> bool:
-    """Whether the friction of a contact is an unknown of its own: it sticks, and slips with several coordinates."""
+    """Return whether the friction of a contact is a separate unknown: it sticks, and several coordinates slip."""
     return side == 0 and grip.coordinate < 0
 
 
 def _system(problem: Problem, mode: Mode, active: list[int], faint: float) -> list[Row]:
-    """Return the equations in (x, λ of the acting rows, f of some that stick), one list each, the right side last.
+    """Return the equations in (x, λ of the acting rows, f of some sticking contacts), one list each, right side last.
 
-    Where a contact that sticks slips with one coordinate alone, that coordinate's equation of motion gives its
-    friction, and gives way to the equation of no slip.
+    If the slip of a sticking contact depends on one coordinate only, the equation of motion of that coordinate gives
+    its friction and is replaced by the condition of zero slip.
     """
     rows = problem.rows
     held = [grip for grip, side in zip(problem.grips, mode.rubbing, strict=True) if _extra(grip, side)]
@@ -178,7 +178,7 @@ def _system(problem: Problem, mode: Mode, active: list[int], faint: float) -> li
 
 
 def _spread(values: Row, active: list[int], size: int) -> Row:
-    """Multipliers of the acting rows at their places among all; what is left over stays at the end."""
+    """Return the multipliers of the active rows at their indices in `size` rows, followed by the remaining values."""
     spread = [0.0] * size
     for number, value in zip(active, values, strict=False):
         spread[number] = value
@@ -186,7 +186,7 @@ def _spread(values: Row, active: list[int], size: int) -> Row:
 
 
 def _forces(problem: Problem, mode: Mode, x: Row, multipliers: Row, load: float) -> Forces:
-    """Return all multipliers, given x, λ and the friction that is an unknown; `load` 0 leaves the loads out."""
+    """Return all multipliers, given x, λ and the unknown friction; `load` 0 leaves the loads out."""
     count = len(problem.rows)
     acting, held = multipliers[:count], iter(multipliers[count:])
     pulls = [(value, row) for value, row in zip(acting, problem.rows, strict=True) if value != 0.0]
@@ -208,7 +208,7 @@ def _forces(problem: Problem, mode: Mode, x: Row, multipliers: Row, load: float)
 
 
 def scales(problem: Problem, x: Row) -> tuple[float, float]:
-    """Return how large a force and an x are, so that small ones can be called zero."""
+    """Return the thresholds below which a force and an entry of x count as zero."""
     size = max(max(map(abs, x), default=0.0), max(map(abs, problem.targets), default=0.0), 1.0)
     return TOLERANCE * max(problem.load, 1e-3), TOLERANCE * size
 
@@ -240,9 +240,9 @@ def _flips(problem: Problem, solution: Solution, *, lenient: bool = False) -> Fl
 
 
 def stiffest(problem: Problem, solution: Solution) -> Solution:
-    """Return the same solution, with all that does not move counted as acting and sticking.
+    """Return the same solution with every resting constraint counted as acting and every resting contact as sticking.
 
-    Its `spare` then tell which forces the motion does not determine.
+    Its `spare` then lists the force patterns that the motion does not determine.
     """
     _, small_x = scales(problem, solution.x)
     acting = tuple(

@@ -1,4 +1,4 @@
-"""Integrator steps with dense output, and the roots of margins within them."""
+"""Integrator steps with dense output, and the roots of event margins within them."""
 
 from collections.abc import Callable, Sequence
 from itertools import pairwise
@@ -11,20 +11,20 @@ from sim2reason.simulation.engines.exact import dop853
 from sim2reason.simulation.engines.exact.dop853 import Rate, Values
 from sim2reason.simulation.engines.exact.margins import Formulas
 
-ARMED = 1e-9  # what a margin that begins at zero must exceed before it can be due
-DRIFT = 1e-7  # how far below zero a margin may begin, as integration and impacts leave it
-TANGENTS = 12  # pairs of tangents by which the bottom of a dip is sought
-EDGE = 0.05  # of an interval, near its ends, where no tangents need to meet
-NEAR = 1e-6  # of a step, over which a slope is taken
-HALVES = 12  # times that half of the way back to the start is looked at for a rise from nothing
+ARMED = 1e-9  # value that a margin must exceed after starting at zero before its return to zero is an event
+DRIFT = 1e-7  # a margin may start this far below zero, as integration and impacts leave it
+TANGENTS = 12  # pairs of tangents used to locate a minimum
+EDGE = 0.05  # fraction of an interval: fraction near its ends where an intersection of tangents is ignored
+NEAR = 1e-6  # fraction of a step: width of the finite difference for a slope
+HALVES = 12  # bisections towards the start in search of a margin that rises from zero
 
 Margin = Callable[[float], float]
-"""A margin at a fraction of the step."""
+"""An event margin as a function of the fraction of the step."""
 Sample = tuple[float, float]
 
 
 class Crossing(NamedTuple):
-    """An interval of the step at whose beginning `margin + room` is left, and at whose end it is not."""
+    """An interval of the step in which `margin + room` changes from positive to nonpositive."""
 
     low: float
     high: float
@@ -32,15 +32,15 @@ class Crossing(NamedTuple):
 
 
 class Watch:
-    """Which margins of a mode were ever more than nothing, and how far the others may fall short of it."""
+    """The state of all event margins of a mode: which ones were ever positive, and the slack of the others."""
 
     def __init__(self, start: Sequence[float]) -> None:
-        """`start` are the margins where the mode begins: those that are nothing are due when they come back."""
+        """Initialize from the margins at the start of a mode; those that start at zero must first become positive."""
         self._armed = [margin > ARMED for margin in start]
         self._room = [ARMED - margin if -DRIFT < margin < 0.0 else ARMED if margin >= 0.0 else 0.0 for margin in start]
 
     def passed(self, after: Sequence[float]) -> None:
-        """Note the margins at the end of a step in which nothing was due."""
+        """Record the margins at the end of a step without an event."""
         self._armed = [was or margin > ARMED for was, margin in zip(self._armed, after, strict=True)]
 
     def crossings(
@@ -81,10 +81,10 @@ class Watch:
 
 
 def _dips(margin: Margin, samples: Sequence[Sample]) -> list[Sample]:
-    """Points between samples at which a margin that is left at all of them is used up.
+    """Return points between samples at which a margin that is positive at all samples becomes negative.
 
-    Between two of them it dips where it falls at the first and rises at the second. There the tangents say how low it
-    can be, as long as it is bent upwards: a point where they meet above zero settles that there is nothing.
+    A minimum lies between two samples if the margin falls at the first and rises at the second. The tangents there
+    bound the minimum from below if the margin is convex: an intersection above zero excludes an event.
     """
     found: list[Sample] = []
     for one, other in pairwise(samples):
@@ -121,7 +121,7 @@ def _slope(margin: Margin, x: float, value: float, step: float) -> float:
 
 
 def _rise(margin: Margin, samples: Sequence[Sample]) -> list[Sample]:
-    """A point at which a margin that begins at nothing was more than nothing before it is used up, if there is one."""
+    """Return the point, if any, at which a margin that starts at zero is positive before it becomes negative."""
     x = next(x for x, value in samples if value < 0.0)
     for _ in range(HALVES):
         x *= 0.5
@@ -139,37 +139,37 @@ class FlowStep:
     def __init__(
         self, formulas: Formulas, time: float, length: float, values: dop853.Values, to: dop853.Advance
     ) -> None:
-        """`values` are coordinates, then rates, at its beginning."""
+        """Store the step that starts with `values` (coordinates, then rates) and ends with `to`."""
         self.formulas, self.time, self.length, self.values = formulas, time, length, values
         self.new, self.stages = to.values, to.stages
         self._polynomial: tuple[dop853.Values, ...] | None = None
 
     @property
     def polynomial(self) -> tuple[dop853.Values, ...]:
-        """The coefficients of its unknowns."""
+        """Return the coefficients of the interpolating polynomial for each unknown."""
         if self._polynomial is None:
             rate = self.formulas.rate
             self._polynomial = dop853.dense(rate, self.time, self.values, self.length, self.new, self.stages)
         return self._polynomial
 
     def at(self, x: float) -> dop853.Values:
-        """Coordinates and rates at a fraction of the step."""
+        """Return coordinates and rates (2n,) at a fraction of the step."""
         return dop853.interpolated(self.values, self.polynomial, x)
 
     def margins(self, x: float) -> tuple[float, ...]:
-        """Return all margins at a fraction of the step."""
+        """Return all event margins at a fraction of the step."""
         return self.formulas.margins(self.time + x * self.length, self.at(x))
 
     def closing(self, x: float) -> tuple[float, ...]:
-        """Return the closing speeds and distances of points that may pass each other, at a fraction of the step."""
+        """Return closing speeds and distances of points that may pass each other, at a fraction of the step."""
         return self.formulas.closing(self.time + x * self.length, self.at(x))
 
 
 class StepTable:
-    """All steps of a flow in arrays; the polynomials of those that were looked at."""
+    """All steps of an integrated motion in arrays, with the polynomials of the steps evaluated so far."""
 
     def __init__(self, steps: Sequence[FlowStep]) -> None:
-        """The flow is at its end."""
+        """Store the steps of a completed integration."""
         self.starts = np.array([step.time for step in steps])
         self.lengths = np.array([step.length for step in steps])
         self.values = np.array([step.values for step in steps])
@@ -177,23 +177,23 @@ class StepTable:
         self._filled = set[int]()
 
     def fill(self, steps: Sequence[FlowStep], numbers: set[int]) -> None:
-        """Look at some steps."""
+        """Compute the polynomials of the steps with the given indices."""
         new = sorted(numbers - self._filled)
         if new:
             self._filled.update(new)
             self.polynomials[:, new] = np.array([steps[number].polynomial for number in new]).transpose(2, 0, 1)
 
 
-SMALL = 1e-3  # m or rad: what moves by more has size 1
-NONE = 1e-12  # m or rad: what moves by less is at rest, but for rounding
-STEP = 1e-8  # m or rad: of the differences that derivatives are taken by
+SMALL = 1e-3  # m or rad: a larger displacement counts as size 1
+NONE = 1e-12  # m or rad: a smaller displacement is round-off of a body at rest
+STEP = 1e-8  # m or rad: step of finite differences
 
 
 def magnitude(rate: Rate, time: float, values: Values, first: Values) -> float:
-    """Return how far what is small moves, in m or rad, as far as one instant tells; 1 if it is not small.
+    """Return the scale of a small motion, in m or rad, estimated from one instant; 1 if the motion is not small.
 
-    Where forces depend on place, motions have a time of their own, τ = 1/√|∂a/∂q|. In this time speed and acceleration
-    lead as far as v τ and a τ². For a circular orbit that is the radius, for an oscillation the amplitude.
+    If forces depend on position, the motion has a time scale τ = 1/√|∂a/∂q|. In this time, speed and acceleration cause
+    displacements v τ and a τ². For a circular orbit the result is the radius, for an oscillation the amplitude.
     """
     n = len(values) // 2
     stiffest = 0.0
@@ -209,9 +209,9 @@ def magnitude(rate: Rate, time: float, values: Values, first: Values) -> float:
     return size if NONE < size < SMALL else 1.0
 
 
-ROUNDS = 200
-PATIENCE = 4  # rounds in which the interval should at least be halved
-EPSILON = 2.3e-16
+ROUNDS = 200  # largest number of iterations
+PATIENCE = 4  # iterations in which the interval should at least be halved
+EPSILON = 2.3e-16  # relative resolution of a float
 
 
 def bracketed_root(function: Callable[[float], float], low: float, high: float) -> float:

@@ -1,8 +1,8 @@
 """The Runge–Kutta pair of order 8(5, 3) by Dormand and Prince, with its dense output of order 7.
 
 Coefficients: E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I (1993), code DOP853.
-A step is straight-line code, written once for each number of unknowns: loops over so few of them cost more than the
-arithmetic.
+A step is straight-line code, generated once for each number of unknowns, because loops over so few unknowns cost more
+than the arithmetic.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -17,15 +17,15 @@ from sim2reason.simulation.engines.exact.dop853_table import DENSE, ERROR_3, ERR
 Values = tuple[float, ...]
 Rate = Callable[[float, Values], Values]
 Stages = tuple[Values, ...]
-"""The rates of all stages, the last one that at the new point."""
+"""The rates (time derivatives) at all stages; the last stage is at the end of the step."""
 
-ORDER = 8
-COEFFICIENTS = 7  # of the polynomial over a step
-SAFETY, LEAST, MOST = 0.9, 0.2, 8.0  # of the factor by which a step changes
+ORDER = 8  # order of the error estimate
+COEFFICIENTS = 7  # coefficients of the polynomial of each unknown over a step
+SAFETY, LEAST, MOST = 0.9, 0.2, 8.0  # safety factor, smallest and largest ratio of successive steps
 
 
 class Advance(NamedTuple):
-    """A step that was tried: where it ends, the rates on its way, and its error relative to the tolerance."""
+    """An attempted step: the values at its end, the rates of its stages, and its error relative to the tolerance."""
 
     values: Values
     stages: Stages
@@ -33,7 +33,7 @@ class Advance(NamedTuple):
 
 
 def advance(rate: Rate, time: float, values: Values, first: Values, h: float, tolerance: Sequence[float]) -> Advance:
-    """Try a step of `h` from `values`, at which the rate is `first`; `tolerance` is absolute and relative."""
+    """Attempt a step of size `h` from `values`, where the rate is `first`; `tolerance` is absolute and relative."""
     new, stages, fifth, third = _stepper(len(values))(rate, time, values, first, h, *tolerance)
     if fifth == 0.0:
         return Advance(new, stages, 0.0)
@@ -41,31 +41,31 @@ def advance(rate: Rate, time: float, values: Values, first: Values, h: float, to
 
 
 def factor(error: float) -> float:
-    """By how much the next step may be longer."""
+    """Return the ratio of the next step size to this one, given the error relative to the tolerance."""
     return MOST if error == 0.0 else min(MOST, max(LEAST, SAFETY * error ** (-1.0 / ORDER)))
 
 
 def dense(rate: Rate, time: float, values: Values, h: float, new: Values, stages: Stages) -> tuple[Values, ...]:
-    """Return the coefficients of the polynomial over a step, for each unknown: seven, from the lowest power on."""
+    """Return the polynomial of each unknown over a step: seven coefficients, lowest power first."""
     more = _extension(len(values))(rate, time, values, h, stages)
     return _polynomial(len(values))(h, values, new, stages, more)
 
 
 def interpolated(values: Values, polynomial: tuple[Values, ...], x: float) -> Values:
-    """Return the unknowns at a fraction `x` of the step."""
+    """Return all unknowns at a fraction `x` of the step."""
     found: Values = _interpolation(len(values))(values, polynomial, x)
     return found
 
 
 def interpolated_one(start: float, coefficients: Values, x: float) -> float:
-    """Return one unknown, which begins at `start`, at a fraction `x` of the step."""
+    """Return one unknown at a fraction `x` of the step, given its value at the start."""
     a, b, c, d, e, f, g = coefficients
     y = 1.0 - x
     return start + x * (a + y * (b + x * (c + y * (d + x * (e + y * (f + x * g))))))
 
 
 def first_step(rate: Rate, time: float, values: Values, first: Values, tolerance: Sequence[float]) -> float:
-    """Return a step to begin with: Hairer, Nørsett, Wanner, section II.4."""
+    """Return the size of the first step: Hairer, Nørsett, Wanner, section II.4."""
     absolute, relative = tolerance
     scales = [absolute + relative * abs(value) for value in values]
     d0, d1 = _norm(values, scales), _norm(first, scales)
@@ -92,7 +92,7 @@ def _sum(weights: Mapping[int, float], unknown: int) -> str:
 
 
 def _stage(number: int, size: int) -> list[str]:
-    """Return the line that evaluates one stage."""
+    """Return the lines of code that evaluate one stage."""
     weights = STAGES[number - 1]
     values = "".join(f"y{i} + h * ({_sum(weights, i)}), " for i in range(size))
     return [f"k{number} = rate(t + {NODES[number]!r} * h, ({values}))", f"{_names(f'k{number}_', size)} = k{number}"]
@@ -114,7 +114,7 @@ def _stepper(size: int) -> Callable[..., tuple[Values, Stages, float, float]]:
 
 @cache
 def _extension(size: int) -> Callable[..., Stages]:
-    """Return the three stages that only dense output needs."""
+    """Compile the function that computes the three extra stages of dense output."""
     lines = [f"{_names('y', size)} = y", f"{_names('k', 13)} = stages"]
     lines += [f"{_names(f'k{number}_', size)} = k{number}" for number in range(13)]
     lines += chain.from_iterable(_stage(number, size) for number in range(13, 16))

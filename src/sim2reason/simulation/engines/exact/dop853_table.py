@@ -1,7 +1,7 @@
-"""The numbers of the Runge–Kutta pair of order 8(5, 3) by Dormand and Prince, with its dense output of order 7.
+"""Coefficients of the Runge–Kutta pair of order 8(5, 3) by Dormand and Prince, with its dense output of order 7.
 
-E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I (1993), code DOP853. Weights are given by
-the number of the stage whose rate they multiply.
+E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I (1993), code DOP853. Weights are keyed
+by the index of the stage whose rate they multiply.
 """
 
 NODES = (

@@ -1,9 +1,9 @@
-"""Long stretches of linear motion solved at once by eigenmodes, where an integrator would need too many steps.
+"""Eigenmode solution of long intervals of linear motion for which an integrator would need too many steps.
 
-Where accelerations are affine in the coordinates, q̈ = a₀ − W (q − q₀), each eigenvector of W moves independently: as a
-cosine, or with a constant acceleration; with damping, each eigenvector of coordinates and rates together does, as an
-exponential. The equations on the tape say whether they are affine. A stretch is short enough that no margin can be used
-up on it, whatever the phases of the modes.
+If accelerations are affine in the coordinates, q̈ = a₀ − W (q − q₀), each eigenvector of W moves independently: as a
+cosine, or with constant acceleration; with damping, each eigenvector of coordinates and rates together moves as an
+exponential. The tape shows whether the equations are affine. An interval is short enough that no margin can reach
+zero in it, whatever the phases of the modes.
 """
 
 from dataclasses import dataclass
@@ -16,14 +16,14 @@ from sim2reason.simulation.engines.exact.affine import LinearEquations
 from sim2reason.simulation.engines.exact.dop853 import Values
 from sim2reason.simulation.engines.exact.eigenpairs import REST, SOUND, DampedModes, found_damped
 
-TURNED = 1e-9  # of the largest eigenvalue: an imaginary part that is none
-STILL = 1e-13  # of the largest eigenvalue: less is none
-SHARE = 8  # pieces of the fastest period
-HALVINGS = 30
-FINE = 64  # the same where margins are looked at on each piece
-LONGEST = 2500 * FINE  # pieces that are looked at in one stretch
-POLISHES = 60  # corrections of the time of a turn
-SHARP = 4e-16  # of a time: no need to know it better
+TURNED = 1e-9  # fraction of the largest eigenvalue: a smaller imaginary part counts as zero
+STILL = 1e-13  # fraction of the largest eigenvalue: a smaller eigenvalue counts as zero
+SHARE = 8  # subdivisions of the fastest period
+HALVINGS = 30  # largest number of times that an interval is halved
+FINE = 64  # subdivisions of the fastest period if margins are evaluated on each piece
+LONGEST = 2500 * FINE  # largest number of pieces in one interval
+POLISHES = 60  # iterations for the time of a turning point
+SHARP = 4e-16  # relative accuracy of the time of a turning point
 
 
 @dataclass(frozen=True)
@@ -33,9 +33,9 @@ class Modes:
     time: float
     place: Array  # q₀, (n,)
     ways: Array  # a column for each mode, (n, n)
-    square: Array  # of angular frequencies, 1/s²; 0 of a mode without
+    square: Array  # of angular frequencies, 1/s²; 0 for a mode without restoring force
     force: Array
-    speed: Array  # ṡ at the beginning
+    speed: Array  # ṡ at the start
 
     @property
     def rate(self) -> Array:
@@ -49,7 +49,7 @@ class Modes:
 
     @property
     def start(self) -> Array:
-        """Return the coordinates and rates at the beginning, (2n,)."""
+        """Return the coordinates and rates at the start, (2n,)."""
         return np.concatenate([self.place, self.ways @ self.speed])
 
     def at(self, times: Array) -> Array:
@@ -64,7 +64,7 @@ class Modes:
         return np.concatenate([self.place + s @ self.ways.T, u @ self.ways.T], axis=1)
 
     def least(self, slopes: Array, span: float) -> Array:
-        """Return a bound below the changes in `span`, s, of functions with these slopes (m, 2n), of shape (m,)."""
+        """Return lower bounds (m,) of the changes, within `span` seconds, of functions with these slopes (m, 2n)."""
         effects = (slopes @ self._spread)[:, :, None] * self._ranges(span)[None]
         found: Array = effects.min(axis=2).sum(axis=1)
         return found
@@ -76,13 +76,13 @@ class Modes:
         return found
 
     def bend(self, slopes: Array) -> Array:
-        """Return a bound of the second derivatives of functions with these slopes (m, 2n), of shape (m,)."""
+        """Return upper bounds (m,) of the second derivatives of functions with these slopes (m, 2n)."""
         size = np.hypot(self.force, self.speed * self.rate)
         found: Array = np.abs(slopes @ self._spread) @ np.concatenate([size, size * self.rate])
         return found
 
     def moves_until(self, span: float) -> float:
-        """Return for how much of `span`, s, it moves: all of it."""
+        """Return the time within `span`, in s, during which the motion does not come to rest: all of it."""
         return span
 
     @property
@@ -90,12 +90,12 @@ class Modes:
         return np.asarray(np.kron(np.eye(2), self.ways), dtype=np.float64)
 
     def _ranges(self, span: float) -> Array:
-        """Return the bounds of the changes of s and of its rate, (2n, 2)."""
+        """Return lower and upper bounds of the changes of s and of its rate within `span` seconds, (2n, 2)."""
         s, u = self.ranges(span)
         return np.concatenate([s, u]) - np.concatenate([np.zeros(len(self.place)), self.speed])[:, None]
 
     def ranges(self, span: float) -> tuple[Array, Array]:
-        """Return the bounds of s and of ṡ during the first `span`, s, of shape (n, 2) each."""
+        """Return lower and upper bounds of s and of ṡ during the first `span` seconds, of shape (n, 2) each."""
         w = self.rate
         swings = w > 0.0
         divisor = np.where(swings, w, 1.0)
@@ -111,34 +111,34 @@ class Modes:
 
 @dataclass(frozen=True)
 class Stretch:
-    """A stretch of linear motion."""
+    """An interval of linear motion that is solved by eigenmodes."""
 
     modes: Modes | DampedModes
     length: float  # s
 
     @property
     def time(self) -> float:
-        """Return the time at which the stretch begins, s."""
+        """Return the start time, s."""
         return self.modes.time
 
     @property
     def knots(self) -> Array:
-        """Return the times between which the motion is smooth and simple, s."""
+        """Return the subdivision times within the interval, between which the motion is smooth, s."""
         return self.time + np.arange(1, pieces(self.modes, self.length)) * self.length / pieces(self.modes, self.length)
 
     @property
     def new(self) -> Values:
-        """Return the coordinates and rates at the end of the stretch."""
+        """Return the coordinates and rates at the end of the interval."""
         return tuple(self.modes.at(np.array([self.time + self.length]))[0].tolist())
 
 
 def pieces(modes: Modes | DampedModes, span: float) -> int:
-    """Return the number of pieces into which to divide a span so that the fastest mode is simple on each piece."""
+    """Return the number of equal pieces of a span such that each is a small part of the fastest period."""
     return max(1, int(np.ceil(span * modes.fastest / (2.0 * pi) * SHARE)))
 
 
 def found_modes(linear: LinearEquations, time: float, values: Values) -> Modes | DampedModes | None:
-    """Return the eigenmodes of linear equations from an instant on; None if there are none, or too few."""
+    """Return the eigenmodes of linear equations from an instant on; None if the eigenvectors do not form a basis."""
     n, here, base = len(linear.base), np.array(values), linear.accelerations(values)
     if linear.damped:
         return found_damped(time, here, linear.slopes, base)
@@ -155,9 +155,9 @@ def found_modes(linear: LinearEquations, time: float, values: Values) -> Modes |
 
 
 def stretch(modes: Modes | DampedModes, span: float, left: Array, slopes: Array, shortest: float) -> Stretch | None:
-    """Return a linear stretch of at most `span`, s, on which no event can be due; None if it were below `shortest`, s.
+    """Return the longest interval within `span`, s, without an event; None if it would be below `shortest`, s.
 
-    `left` is what is left of all margins (m,) at its beginning, and `slopes` are theirs, (m, 2n).
+    `left` are the values of all margins (m,) at its start, and `slopes` their gradients, (m, 2n).
     """
     within = span
     for _ in range(HALVINGS):
@@ -170,9 +170,9 @@ def stretch(modes: Modes | DampedModes, span: float, left: Array, slopes: Array,
 
 
 def _certain(modes: Modes | DampedModes, span: float, left: Array, slopes: Array) -> float:
-    """Return for how long no margin is used up, s, by their values at ends of short pieces and by how much they bend.
+    """Return a time until which no margin reaches zero, s, from values at ends of short pieces and bounds of curvature.
 
-    A function f is nowhere on a piece of length h less than at one of its ends less h²/8 max |f″|.
+    On a piece of length h, a function f is at least the smaller of its end values minus h²/8 max |f″|.
     """
     h = 2.0 * pi / modes.fastest / FINE
     sag = modes.bend(slopes) * h * h / 8.0
@@ -188,7 +188,7 @@ def _certain(modes: Modes | DampedModes, span: float, left: Array, slopes: Array
 
 
 def turns(modes: Modes | DampedModes, span: float) -> list[tuple[float, int]]:
-    """Return the times when the speed of a coordinate passes through zero, in order, each with its coordinate."""
+    """Return the times at which the speed of a coordinate passes through zero, in order, each with its coordinate."""
     span = modes.moves_until(span)
     n, count = len(modes.start) // 2, pieces(modes, span)
     times = modes.time + np.linspace(0.0, span, count + 1)
@@ -204,7 +204,7 @@ def turns(modes: Modes | DampedModes, span: float) -> list[tuple[float, int]]:
 
 
 def _turns(modes: Modes | DampedModes, number: int, low: Array, high: Array) -> Array:
-    """Return when a coordinate turns back within each of some intervals: by Newton's steps, else by bisection."""
+    """Return the turning times of a coordinate, one in each interval, by Newton's method with bisection as fallback."""
     n = len(modes.start) // 2
     sign, time = np.sign(modes.at(low)[:, n + number]), 0.5 * (low + high)
     for _ in range(POLISHES):

@@ -12,17 +12,17 @@ from sim2reason.scenes.dsl.state import Array
 Complex = npt.NDArray[np.complex128]
 Exact = Sequence[Sequence[Fraction]]
 
-ROUNDS = 4  # of Newton's iteration; each doubles the number of digits
-SHIFT = 1e-6  # of the largest eigenvalue: Newton's iteration that goes farther goes to another one
+ROUNDS = 4  # Newton iterations; each doubles the number of digits
+SHIFT = 1e-6  # fraction of the largest eigenvalue: a larger Newton correction has converged to another eigenvalue
 
 
 def rounded(matrix: Exact) -> Array:
-    """Return the matrix of floating-point numbers."""
+    """Return the matrix, rounded to floating-point numbers."""
     return np.array([[float(part) for part in row] for row in matrix])
 
 
 def eigenpairs(matrix: Exact) -> tuple[Complex, Complex]:
-    """Return eigenvalues and eigenvectors, a column for each.
+    """Return the eigenvalues (n,) and eigenvectors, one per column (n, n).
 
     Each pair is found by LAPACK and improved by Newton's iteration for A x = λ x and v · x = v · v, v being the first
     x, with residuals in rational numbers: J. Dongarra, C. Moler, J. Wilkinson, Improving the accuracy of computed
@@ -58,7 +58,7 @@ def _improved(matrix: Exact, plain: Array, rate: complex, way: Complex, shift: f
 
 
 def _residual(matrix: Exact, rate: complex, way: Complex) -> Complex:
-    """Return λ x − A x, rounded once."""
+    """Return the residual λ x − A x, rounded once."""
     real, imaginary = _exact(way.real), _exact(way.imag)
     a, b = Fraction(float(rate.real)), Fraction(float(rate.imag))
     found: list[complex] = []
@@ -76,9 +76,9 @@ def _product(row: Sequence[Fraction], values: Sequence[Fraction]) -> Fraction:
     return sum((part * value for part, value in zip(row, values, strict=True) if part), Fraction())
 
 
-STILL = 1e-13  # of the largest rate: less is none
-SOUND = 1e8  # condition of the eigenvectors, at most: at critical damping there are too few
-REST = 1e-11  # m/s or rad/s; what moves no faster turns back no more
+STILL = 1e-13  # fraction of the largest rate: a smaller rate counts as zero
+SOUND = 1e8  # largest condition number of the eigenvectors; at critical damping they do not form a basis
+REST = 1e-11  # m/s or rad/s; a slower motion counts as rest
 
 
 @dataclass(frozen=True)
@@ -94,7 +94,7 @@ class DampedModes:
 
     @property
     def fastest(self) -> float:
-        """Return the largest rate, 1/s."""
+        """Return the largest absolute rate of a mode, 1/s."""
         return float(np.abs(self.rates).max())
 
     def at(self, times: Array) -> Array:
@@ -103,7 +103,7 @@ class DampedModes:
         return self.rest + np.real(decayed @ self.ways.T)
 
     def least(self, slopes: Array, span: float) -> Array:
-        """Return a bound below the changes in `span`, s, of functions with these slopes (m, 2n), of shape (m,)."""
+        """Return lower bounds (m,) of the changes, within `span` seconds, of functions with these slopes (m, 2n)."""
         weights = (slopes @ self.ways) * self.begins
         real = np.abs(np.imag(self.rates)) <= STILL * self.fastest
         sinks = np.real(weights) * np.expm1(np.where(real, np.real(self.rates), 0.0) * span)
@@ -117,12 +117,12 @@ class DampedModes:
         return np.real(decayed @ self.ways[n:].T)
 
     def bend(self, slopes: Array) -> Array:
-        """Return a bound of the second derivatives of functions with these slopes (m, 2n), of shape (m,)."""
+        """Return upper bounds (m,) of the second derivatives of functions with these slopes (m, 2n)."""
         found: Array = np.abs((slopes @ self.ways) * self.begins) @ np.abs(self.rates) ** 2
         return found
 
     def moves_until(self, span: float) -> float:
-        """Return for how much of `span`, s, some speed can exceed what counts as rest."""
+        """Return the time within `span`, in s, during which some speed can exceed the threshold of rest."""
         n = len(self.start) // 2
         size = float(np.abs(self.ways[n:] * self.begins).sum())
         slowest = float(-np.real(self.rates).max())
@@ -130,7 +130,7 @@ class DampedModes:
 
 
 def found_damped(time: float, start: Array, slopes: Exact, base: Array) -> DampedModes | None:
-    """Return the eigenmodes of a damped motion, all of which decay; None if it has none, or too few.
+    """Return the eigenmodes of a damped motion that all decay; None if one does not or they do not form a basis.
 
     `slopes` are those of the accelerations with respect to x, (n, 2n), and `base` the accelerations at the start, (n,).
     """
@@ -150,7 +150,7 @@ def found_damped(time: float, start: Array, slopes: Exact, base: Array) -> Dampe
 
 
 def _scaled(slopes: Exact, size: Fraction) -> list[list[Fraction]]:
-    """Return the matrix of the rates of change of coordinates and of rates divided by `size`."""
+    """Return the matrix of the first-order system x' = A x, with time measured in units of `size`."""
     n = len(slopes)
     above = [[size * (column == n + row) for column in range(2 * n)] for row in range(n)]
     return [*above, *([*(part / size for part in row[:n]), *row[n:]] for row in slopes)]

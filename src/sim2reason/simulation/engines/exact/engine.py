@@ -1,4 +1,4 @@
-"""The exact engine's loop: impacts, forces, the next event, and again."""
+"""The main loop of the exact engine: impacts, forces, and motion to the next event, repeated until the end."""
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.errors import SimulationError
@@ -14,13 +14,13 @@ from sim2reason.simulation.engines.exact.settling import REST, Settling
 from sim2reason.simulation.engines.exact.system import Instant
 from sim2reason.simulation.trace import ENGINES, FINEST, Trace
 
-SEGMENTS = 500
-SETTLING = 5_000  # operations that an event costs for each coordinate
+SEGMENTS = 500  # largest number of motion segments
+SETTLING = 5_000  # operations of an event for each coordinate
 
 
 @ENGINES.register("exact")
 def simulate(mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> Trace:
-    """From event to event by closed forms, or by integration where something bends: the motion at `times` (m,).
+    """Simulate a mechanism in closed form, or by numerical integration if its equations change, at `times` (m,).
 
     Times are in seconds, increasing from 0; `tolerance` is of an integrator's step, relative.
 
@@ -35,7 +35,7 @@ def simulate(mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> T
 
 
 def motion(mechanism: Mechanism, duration: float, tolerance: float = FINEST) -> Motion:
-    """Return the motion from 0 to `duration` seconds, or to the event that ends it; raises as `simulate` does."""
+    """Return the motion from 0 to `duration` seconds or to the event that ends it; raises as `simulate` does."""
     run: _Run | None = None
     try:
         run = _Run(mechanism, duration, tolerance)
@@ -57,10 +57,10 @@ def motion(mechanism: Mechanism, duration: float, tolerance: float = FINEST) -> 
 
 
 class _Run(Settling):
-    """A motion in the making, from event to event."""
+    """A motion under construction, extended from event to event."""
 
     def finished(self) -> Motion:
-        """Return the whole motion; SimulationError if the motion takes too many events or operations."""
+        """Return the complete motion; raise SimulationError if it takes too many events or operations."""
         while self.step():
             self.system.budget.spend(SETTLING * (1 + self.system.size))
             if len(self.segments) > SEGMENTS:
@@ -72,7 +72,7 @@ class _Run(Settling):
         return Motion(self.mechanism, tuple(self.segments), self.event_log.sorted(), self.now, self.event_log.cut)
 
     def step(self) -> bool:
-        """Settle the present instant and go on to the next event; False when there is nothing more to do."""
+        """Settle the present instant and advance to the next event; return False at the end."""
         self.v = [0.0 if abs(speed) < REST else speed for speed in self.v]
         before = self.instant()
         snapped = self.impact(before)
@@ -87,7 +87,7 @@ class _Run(Settling):
     # -- the next event --------------------------------------------------------------------------
 
     def _advance(self, instant: Instant, found: Balance) -> bool:
-        """Go to the next event; False at the end."""
+        """Advance to the next event; return False at the end."""
         left = self.duration - self.now
         if self.steady is not None:
             stop = self._glide(self.steady, instant, found, left)
@@ -126,7 +126,7 @@ class _Run(Settling):
         return stop
 
     def _happen(self, margin: Margin) -> bool:
-        """Note what is due; whether it ends the description."""
+        """Apply the event of a margin; return whether it ends the motion."""
         number = margin.number
         match margin.kind:
             case "reach":
@@ -150,13 +150,13 @@ class _Run(Settling):
         return margin.kind in ENDS
 
     def _halt(self, number: int) -> None:
-        """A contact has stopped sliding; along one coordinate its speed is then exactly zero."""
+        """Apply the end of sliding at a contact; a slip along one coordinate sets its speed to exactly zero."""
         grip = self.system.grips[number]
         if grip.coordinate >= 0 and abs(self.v[grip.coordinate]) < STILL:
             self.v = [0.0 if k == grip.coordinate else speed for k, speed in enumerate(self.v)]
 
     def _cross(self, number: int, side: int) -> None:
-        """A body crosses a border of the region in which a force acts."""
+        """Apply the crossing of a border of a region in which a force acts."""
         inside = self.phase.inside[number]
         crossed = tuple(not within if i == side else within for i, within in enumerate(inside))
         if all(inside) != all(crossed):
@@ -165,7 +165,7 @@ class _Run(Settling):
         self.phase = self.phase._replace(inside=everywhere)
 
     def _strain(self, number: int) -> None:
-        """A spring that acts one way begins to, or ceases."""
+        """Switch a one-sided spring on or off."""
         strained = tuple(was != (i == number) for i, was in enumerate(self.phase.strained))
         self.phase = self.phase._replace(strained=strained)
         line, law = self.mechanism.half_springs[number]
@@ -174,11 +174,11 @@ class _Run(Settling):
 
     @cached_property
     def _rough(self) -> set[int]:
-        """The coordinates along which something rubs: there a turn is a change of mode."""
+        """Return the coordinates with friction, for which a reversal changes the contact mode."""
         return {grip.coordinate for grip in self.system.grips}
 
     def _note_turns(self, found: Balance, span: float) -> None:
-        """Speeds that pass through zero before the next event."""
+        """Record the events at which a speed passes through zero before the next event."""
         for number, (speed, a) in enumerate(zip(self.v, found.a, strict=True)):
             if speed * a < 0.0 and TIE < halt(speed, a) < span - TIE and number not in self._rough:
                 self.event_log.record(self.now + halt(speed, a), "turn", self.mechanism.coordinates[number].name)

@@ -1,4 +1,4 @@
-"""The motion of a mechanism whose equations change as it moves: integrated, with events located on the steps."""
+"""Numerical integration of a mechanism with changing equations, with events located within the steps."""
 
 from collections.abc import Sequence
 from math import inf, isfinite, pi
@@ -24,26 +24,26 @@ from sim2reason.simulation.engines.exact.lengths import Phase
 from sim2reason.simulation.engines.exact.margins import StopReason
 from sim2reason.simulation.engines.exact.system import Instant
 
-ABSOLUTE = 1e-2  # times the relative error that a step may have, in m or rad and their rates
-SHORTEST = 1e-13  # of the duration: a step below that is a singularity
-OFF = 1e-6  # m; a row that acts is no longer kept
-TIE = 1e-10  # of the duration: events that are no further apart are simultaneous
-POLISHES = 4  # corrections of an event's time by a step of the integrator itself
-PATIENCE = 200  # steps after which is asked whether there will be too many of them
-MANY = 20_000  # steps to go: where the equations are linear, those would cost more and err more than the eigenmodes
-FAINT, SMALL = 1e-12, 1e-4  # m or rad; of a motion in between, `ABSOLUTE` is too much, and of less nothing is known
-SHORTEST_LEAP = 10  # fastest periods, fewer of which are not worth it
-PIECE = 20  # operations that a piece of a linear stretch costs, for each coordinate
-REST = 1e-11  # m/s or rad/s; what rounding leaves of a speed that is zero
+ABSOLUTE = 1e-2  # absolute error per relative tolerance of a step, in m or rad and their rates
+SHORTEST = 1e-13  # fraction of the duration: a smaller step indicates a singularity
+OFF = 1e-6  # m; larger violation of an acting constraint is an error
+TIE = 1e-10  # fraction of the duration: events closer than this are simultaneous
+POLISHES = 4  # corrections of an event time by an integrator step
+PATIENCE = 200  # steps after which the number of remaining steps is first estimated
+MANY = 20_000  # remaining steps above which linear equations are solved by eigenmodes instead
+FAINT, SMALL = 1e-12, 1e-4  # m or rad; displacements too small for `ABSOLUTE`; below the first none is resolved
+SHORTEST_LEAP = 10  # least length of an interval solved by eigenmodes, in fastest periods
+PIECE = 20  # operations of a piece of an eigenmode interval, for each coordinate
+REST = 1e-11  # m/s or rad/s; residual round-off of a speed that is zero
 
 
 class Flow:
-    """The integration of one mode, from where it begins to what ends it."""
+    """The numerical integration of one contact mode, from its start to the event that ends it."""
 
     def __init__(
         self, equations: CurvedEquations, instant: Instant, phase: Phase, found: Balance, tolerance: float
     ) -> None:
-        """Write the code of the mode, if it is new; `tolerance` is the relative error that a step may have."""
+        """Generate the code of the mode unless it exists; `tolerance` is the relative error of a step."""
         self._relative = tolerance
         self._tolerance = ABSOLUTE * tolerance, tolerance
         self._equations, self._phase, self._mode = equations, phase, found.mode
@@ -57,19 +57,19 @@ class Flow:
 
     @property
     def moves(self) -> bool:
-        """Return whether it got anywhere."""
+        """Return whether the integration has made any progress in time."""
         return bool(self.steps or self.stretches)
 
     @cached_property
     def table(self) -> StepTable:
-        """Its steps, once it is at its end."""
+        """Return all steps as arrays, once the integration is complete."""
         return StepTable(self.steps)
 
     def advance(self, duration: float, longest: float) -> StopReason:
-        """Go on for `duration`, s, or to the first event, or to where pivots must be chosen anew.
+        """Advance by `duration`, s, or to the first event, or to a point where new pivots must be chosen.
 
         `longest` is the duration of the whole motion. Raises SimulationError if the steps become too costly or too
-        short, or if something has no value.
+        short, or if the equations have no value.
         """
         try:
             return self._advance(duration, longest)
@@ -117,9 +117,10 @@ class Flow:
         return StopReason(duration, ())
 
     def _leap(self, end: float, steps: float) -> bool:
-        """Take a linear stretch at once if so many more steps are too many or too coarse; return whether this was done.
+        """Solve a linear interval by eigenmodes if `steps` steps are too many or too coarse; return whether it did.
 
-        It begins where the first step did, whose errors would stay in all that follows, or at least here.
+        The interval starts at the first step if possible, because errors of early steps persist; otherwise at the
+        present.
         """
         budget = self._equations.system.budget
         if steps < MANY and steps * self.formulas.cost < budget.left and (self.stretches or not self._is_small()):
@@ -130,7 +131,7 @@ class Flow:
         return took
 
     def _is_small(self) -> bool:
-        """Return whether the motion so far is so small that the integrator's absolute error matters."""
+        """Return whether the motion so far is so small that the absolute error of the integrator matters."""
         here, n = self.values[: self._equations.system.size], self._equations.system.size
         far = 0.0
         for step in reversed(self.steps):  # an ordinary motion is known by the first of them
@@ -140,7 +141,7 @@ class Flow:
         return far > FAINT
 
     def _take(self, begin: FlowStep | None, end: float, periods: float = SHORTEST_LEAP) -> bool:
-        """Take a linear stretch from where the first step begins, in place of all steps, or from here."""
+        """Solve a linear interval by eigenmodes from the first step on, replacing all steps, or from the present."""
         linear = self.formulas.linear
         if linear is None:
             return False
@@ -161,14 +162,14 @@ class Flow:
         return True
 
     def _check_held(self) -> None:
-        """What is held twice may be held so that it can't move at all, which no equation of an instant says."""
+        """Raise SimulationError if redundant constraints block the motion, unseen in the equations of one instant."""
         held = self.formulas.held
         if held is not None and max(map(abs, held(self.time, self.values))) > OFF:
             problem = "strings and rods hold something so often that they contradict each other"
             raise SimulationError(f"{problem} once it moves, at {self.start:.6g} s", reached=self.start)
 
     def _singular(self) -> StopReason:
-        """There is no step from here: two points of a line come together, or SimulationError."""
+        """Handle a singular step: return the event if two points of a line coincide, else raise SimulationError."""
         watched = zip(self.formulas.watched, self._margins(), strict=True)
         due = tuple(margin for margin, left in watched if margin.kind == "reach" and left <= 0.0)
         if not due:
@@ -178,7 +179,7 @@ class Flow:
         return StopReason(self.time - self.start, due)
 
     def _margins(self) -> Sequence[float]:
-        """Return all margins now; none that is left if they have no value."""
+        """Return all margins at the present; infinite if they have no value."""
         try:
             return self.formulas.margins(self.time, self.values)
         except (ZeroDivisionError, OverflowError, ValueError):
@@ -192,7 +193,7 @@ class Flow:
     # ---- events
 
     def _due(self, step: FlowStep, before: Sequence[float], after: Sequence[float], tie: float) -> StopReason | None:
-        """Take the step as far as the first event in it, if there is one."""
+        """Truncate the step at its first event and return that event; None if there is none."""
         if not before:
             return None
         crossings = self._watch.crossings((before, step.margins(0.5), after), step.margins)
@@ -210,7 +211,7 @@ class Flow:
         return StopReason(self.time - self.start, tuple(due)) if length >= 0.0 else None
 
     def _passes(self, step: FlowStep, known: set[int]) -> list[tuple[int, Crossing]]:
-        """Return where two points of a line are nearest within a step, if they come together there."""
+        """Return the points within a step at which two points of a line are nearest, if they coincide there."""
         passing = self.formulas.passing
         if not passing:
             return []
@@ -224,7 +225,7 @@ class Flow:
         return found
 
     def _polished(self, step: FlowStep, x: float, number: int, room: float) -> float:
-        """Go on to an event, foreseen at a fraction of the step, by a step of its own; its length."""
+        """Return the step length to an event predicted at a fraction of the step, corrected by integrator steps."""
         rate, first = self.formulas.rate, step.stages[0]
         width = 1e-4 * min(x, 1.0 - x) if 0.0 < x < 1.0 else 1e-6
         slope = (step.margins(x + width)[number] - step.margins(x - width)[number]) / (2.0 * width * step.length)
@@ -243,7 +244,7 @@ class Flow:
         return length
 
     def _note_turns(self, step: FlowStep) -> None:
-        """Speeds that pass through zero within a step."""
+        """Record the instants within a step at which speeds pass through zero."""
         n = self._equations.system.size
         for number in range(n, 2 * n):
             old, new = step.values[number], step.new[number]
@@ -255,7 +256,7 @@ class Flow:
 
 
 def sampled(flow: Flow, times: Array) -> Array:
-    """Coordinates and rates at times within a flow, (m, 2n)."""
+    """Return coordinates and rates at times within an integrated motion, (m, 2n)."""
     found = _on_steps(flow, times) if flow.steps else np.empty((len(times), len(flow.values)))
     for linear in flow.stretches:
         inside = (times >= linear.time) & (times <= linear.time + linear.length)
@@ -266,7 +267,7 @@ def sampled(flow: Flow, times: Array) -> Array:
 
 
 def _on_steps(flow: Flow, times: Array) -> Array:
-    """Return coordinates and rates at times within the steps of a flow, (m, 2n), or (1, 2n) for a single step."""
+    """Return coordinates and rates at times within integrator steps, (m, 2n), or (1, 2n) for a single step."""
     table = flow.table
     at = np.maximum(table.starts.searchsorted(times, side="right") - 1, 0)
     numbers = set[int](at.tolist())

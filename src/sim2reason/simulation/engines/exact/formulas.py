@@ -1,7 +1,7 @@
-"""The equations of a mechanism that change as it moves, as straight-line code: one piece for each mode.
+"""Generated straight-line code for the changing equations of a mechanism, one function per contact mode.
 
-They are recorded once on a tape; those of a mode are solved on it with pivots chosen where the mode begins. The code
-runs with floats for the integrator, with arrays for all samples at once.
+The equations are recorded once on a tape; those of a mode are solved on it with pivots chosen at the start of the mode.
+The code runs with floats for the integrator and with arrays for all samples at once.
 """
 
 import math
@@ -20,41 +20,41 @@ from sim2reason.simulation.engines.exact.margins import Formulas, Margin
 from sim2reason.simulation.engines.exact.system import Instant, System
 from sim2reason.simulation.engines.exact.tape import Symbol, Tape, value_of
 
-FAINT = 1e-9  # a change of a margin that is none
-MEET = 1e-9  # m; the ends of a straight piece that are no farther apart have met
-PIVOT = 1e-6  # of its size at the beginning: a pivot that shrinks below that is lost
-TOGETHER = 1e-7  # m; nearer, a line has no direction, and a step could pass where its points meet
-STAGES, MARGINS = 13, 3  # times that a step evaluates rates and margins
-UNKNOWN, FIXED = 400, 500  # operations of a step for each coordinate, and at all
-WRITING = 100  # operations that it takes to write code for one
+FAINT = 1e-9  # a smaller change of a margin counts as zero
+MEET = 1e-9  # m; the ends of a straight line segment that are closer coincide
+PIVOT = 1e-6  # fraction of its initial size: a pivot that shrinks below this is unusable
+TOGETHER = 1e-7  # m; at smaller distances a line has no direction, and a step could skip the coincidence of its points
+STAGES, MARGINS = 13, 3  # evaluations of rates and of margins per step
+UNKNOWN, FIXED = 400, 500  # operations of a step for each coordinate, and in total at least
+WRITING = 100  # operations to generate the code that executes one operation
 
 
 class CurvedEquations:
-    """Equations on a tape, for each phase, and their code, for each mode."""
+    """Equations of motion on a tape for each phase, and their code for each contact mode."""
 
     def __init__(self, system: System) -> None:
-        """Nothing is recorded before it is needed."""
+        """Start without equations; they are recorded on first use."""
         self.system = system
         self._recorded: dict[Phase, _Recorded] = {}
 
     def instant(self, time: float, q: Row, v: Row, phase: Phase) -> Instant:
-        """Return the numbers of one instant."""
+        """Return the numerical equations at one instant."""
         return self.system.instant(time, q, v, phase)
 
     def formulas(self, instant: Instant, phase: Phase, mode: Mode) -> Formulas:
-        """Return the code of a mode, made where it begins."""
+        """Return the code of a contact mode, generated on first use."""
         recorded = self._recorded.get(phase)
         if recorded is None:
             recorded = self._recorded[phase] = _Recorded(self.system, phase)
         return recorded.formulas(instant, mode)
 
     def forget(self, phase: Phase, mode: Mode) -> None:
-        """Choose the pivots of a mode anew the next time."""
+        """Discard the code of a contact mode, so that its pivots are chosen anew."""
         self._recorded[phase].made.pop(mode, None)
 
 
 class _Recorded:
-    """The equations of one phase on a tape."""
+    """The equations of one phase, recorded on a tape."""
 
     def __init__(self, system: System, phase: Phase) -> None:
         n = system.size
@@ -69,7 +69,7 @@ class _Recorded:
         self.made: dict[Mode, Formulas] = {}
 
     def formulas(self, instant: Instant, mode: Mode) -> Formulas:
-        """Return the code of a mode, made at an instant if it is new."""
+        """Return the code of a contact mode, generated at the given instant if it is new."""
         if mode not in self.made:
             self.tape.stand([instant.time, *instant.q, *instant.v])
             self.made[mode] = self._formulas(mode)
@@ -108,7 +108,7 @@ class _Recorded:
         return Formulas(rate, write, margins, tuple(names), held, tuple(passing), closing, cost, linear, due)
 
     def _patterns(self, mode: Mode, free: FreeForces) -> dict[Margin, Number]:
-        """Return how the margins of forces change with forces that the motion leaves open."""
+        """Return the changes of the force margins due to one pattern of undetermined forces."""
         lift: list[Number] = [0.0] * self.system.count
         for number, force in free.rows.items():
             for contact, part in self.rows[number].lift.items():
@@ -125,7 +125,7 @@ class _Recorded:
     # ---- one mode, solved
 
     def _solved(self, mode: Mode) -> Unknowns:
-        """Accelerations, multipliers of acting rows, and friction of contacts that stick."""
+        """Return accelerations, multipliers of acting rows, and friction of sticking contacts."""
         system, n = self.system, self.system.size
         active = [number for number, acts in enumerate(mode.acting) if acts]
         sticking = [number for number, side in enumerate(mode.rubbing) if side == 0]
@@ -151,7 +151,7 @@ class _Recorded:
         slip: tuple[tuple[int, float], ...],
         active: list[int],
     ) -> None:
-        """Friction −µN along a slip, with N as its own row of the equations gives it."""
+        """Add the friction −µN along a slip to the equations, with N given by its own row."""
         lift = [*self.assembly.lifted[contact], *(self.rows[i].lift.get(contact, 0.0) for i in active)]
         for k, part in slip:
             factor = weight * part
@@ -200,7 +200,7 @@ class _Recorded:
         return [*found, *self._strains(), *self._borders()]
 
     def _strains(self) -> list[tuple[Margin, Number]]:
-        """Return how far springs that act one way are from where they begin or cease to act, m."""
+        """Return the deformations of one-sided springs beyond the point at which they begin or cease to act, m."""
         found: list[tuple[Margin, Number]] = []
         halves = zip(self.system.mechanism.half_springs, self.phase.strained, strict=True)
         for number, ((line, law), strained) in enumerate(halves):
@@ -237,14 +237,14 @@ class _Recorded:
         return found
 
     def _keeps(self, mode: Mode, first: str, last: str) -> bool:
-        """Return whether a run keeps its length, since a row that acts consists of it alone."""
+        """Return whether an acting constraint consists of this segment alone, so that its length is constant."""
         known = self.system.mechanism.line
         acting = [kind.name for kind, acts in zip(self.system.kinds(self.phase), mode.acting, strict=True) if acts]
         lines = [known[name] for name in acting if name in known]
         return any(line.through == (first, last) and not line.wheels for line in lines)
 
     def _passing(self, watched: list[tuple[Margin, Number]]) -> dict[int, Number]:
-        """Half the rate of the square of a distance that never changes sign: it says when two points are nearest."""
+        """Return ½ d/dt of squared distances that never change sign; their zeros are the times of nearest approach."""
         runs, frames = list(self.system.runs), self.assembly.frames
         found: dict[int, Number] = {}
         for place, (margin, _) in enumerate(watched):
@@ -257,7 +257,7 @@ class _Recorded:
         return found
 
     def _distance(self, first: str, last: str) -> Number:
-        """Return how far apart two sites are, negative as soon as they meet on a line, where a pull turns round."""
+        """Return the distance of two sites, m; negative after they have passed through each other on a line."""
         one, other = self.assembly.frames.site(first).place, self.assembly.frames.site(last).place
         way = straight(self.system.mechanism, self.system.frames, first, last)
         total: Number = 0.0

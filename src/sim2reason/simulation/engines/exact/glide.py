@@ -1,4 +1,4 @@
-"""Motions in which every length is a quadratic of time, and their next event in closed form."""
+"""Motions in which every length is a quadratic function of time, and their next event in closed form."""
 
 import math
 from collections.abc import Mapping
@@ -17,15 +17,15 @@ from sim2reason.simulation.engines.exact.linear import Gradient, Row
 from sim2reason.simulation.engines.exact.margins import Margin, StopReason
 from sim2reason.simulation.engines.exact.system import TOUCHING, Instant, Near, System
 
-STILL = 1e-9  # m/s, rad/s or m/s²; what is slower rests
-ROUNDING = 1e-12
+STILL = 1e-9  # m/s, rad/s or m/s²; slower motion counts as rest
+ROUNDING = 1e-12  # threshold of round-off
 
 
 def crossing(c: float, b: float, a: float) -> float:
-    """Return the first time at which the margin c + bτ + aτ²/2 is used up, or infinity.
+    """Return the first time at which the margin c + bτ + aτ²/2 reaches zero, in s, or infinity.
 
-    A margin within `TOUCHING` of zero counts as zero: then it is used up at once if it shrinks, else when it
-    comes back. Roots are taken in the form that does not cancel.
+    A margin within `TOUCHING` of zero counts as zero: its event is due at once if it decreases, else when it
+    returns. Roots are computed in the form without cancellation.
     """
     if c <= TOUCHING:
         if b < -STILL or (b <= STILL and a < -STILL):
@@ -38,37 +38,37 @@ def crossing(c: float, b: float, a: float) -> float:
 
 
 def halt(speed: float, acceleration: float) -> float:
-    """Return when a speed passes through zero, or infinity; a coordinate at rest does not stop."""
+    """Return the time at which a speed passes through zero, s, or infinity; a coordinate at rest does not stop."""
     return -speed / acceleration if speed * acceleration < 0.0 else inf
 
 
 @dataclass(slots=True)
 class Approach:
-    """How two bodies move relative to each other at an instant: separation, velocity, acceleration."""
+    """Relative motion of two bodies at an instant: separation, velocity and acceleration."""
 
     apart: Vector
     velocity: Vector
     acceleration: Vector
-    distance: float  # at which they touch
+    distance: float  # of the centres at contact
 
     @property
     def gap(self) -> float:
-        """The distance left, m."""
+        """Return the gap between the two bodies, m."""
         return hypot(*self.apart) - self.distance
 
     @property
     def rate(self) -> float:
-        """The rate of change of the gap, m/s."""
+        """Return the rate of change of the gap, m/s."""
         return inner(self.apart, self.velocity) / hypot(*self.apart)
 
     @property
     def second(self) -> float:
-        """The second derivative of the gap: r̈ = (D·G + W² − ṙ²)/r, m/s²."""
+        """Return the second derivative of the gap, r̈ = (D·G + W² − ṙ²)/r, m/s²."""
         return (inner(self.apart, self.acceleration) + self.bend) / hypot(*self.apart)
 
     @property
     def bend(self) -> float:
-        """The square of the speed across the line of centres, m²/s²."""
+        """Return the square of the relative speed perpendicular to the line of centres, m²/s²."""
         return inner(self.velocity, self.velocity) - self.rate**2
 
     @property
@@ -77,7 +77,7 @@ class Approach:
         return self.gap <= TOUCHING
 
     def hit(self) -> float:
-        """Return the time at which the gap closes next, or infinity."""
+        """Return the time until the gap next closes, s, or infinity."""
         resting = self.touching and abs(self.rate) <= STILL
         if self._straight():
             r = hypot(*self.apart)
@@ -95,16 +95,16 @@ class Approach:
         )
 
     def _polynomial(self) -> Row:
-        """|D + Wτ + Gτ²/2|² − distance², lowest power first."""
+        """Return the coefficients of |D + Wτ + Gτ²/2|² − distance², lowest power first."""
         d, w, g = self.apart, self.velocity, self.acceleration
         square = self.gap * (hypot(*d) + self.distance)
         return [square, 2.0 * inner(d, w), inner(w, w) + inner(d, g), inner(w, g), 0.25 * inner(g, g)]
 
 
 def _first_root(coefficients: Row, touching: int) -> float:
-    """Return the first positive time at which a polynomial, positive till then, reaches zero.
+    """Return the first positive time at which a polynomial, positive before, reaches zero.
 
-    `touching` is how many roots lie at time zero: they are divided out.
+    `touching` is the number of roots at time zero, which are divided out.
     """
     left = coefficients[touching:]
     while len(left) > 1 and abs(left[-1]) <= ROUNDING**2:
@@ -118,7 +118,7 @@ def _first_root(coefficients: Row, touching: int) -> float:
 
 
 def _quadratic(c: float, b: float, a: float) -> float:
-    """Return the first positive root of c + bτ + aτ², which begins positive."""
+    """Return the first positive root of c + bτ + aτ², which is positive at zero."""
     square = b * b - 4.0 * a * c
     if square < 0.0 or (b >= 0.0 and a >= 0.0):
         return inf
@@ -126,7 +126,7 @@ def _quadratic(c: float, b: float, a: float) -> float:
 
 
 def _polished(coefficients: Row, root: float) -> float:
-    """Newton's steps: eigenvalues of a companion matrix lose a few digits."""
+    """Return the root improved by Newton's method, because eigenvalues of a companion matrix lose digits."""
     for _ in range(3):
         value = slope = 0.0
         for coefficient in reversed(coefficients):
@@ -138,13 +138,13 @@ def _polished(coefficients: Row, root: float) -> float:
     return root
 
 
-Steps = tuple[tuple[int, Vector], ...]  # (number of a coordinate or face, direction)
-TIE = 1e-11  # s; events that are no further apart are simultaneous
+Steps = tuple[tuple[int, Vector], ...]  # (index of a coordinate or face, direction)
+TIE = 1e-11  # s; events closer than this are simultaneous
 
 
 @dataclass(slots=True)
 class _Pair:
-    """A meeting whose separation is `apart` + Σ axis·q."""
+    """A collision pair with the separation `apart` + Σ axis·q."""
 
     meeting: Meeting
     apart: Vector
@@ -152,16 +152,16 @@ class _Pair:
     lifts: Steps
 
     def approach(self, q: Row, v: Row, a: Row) -> Approach:
-        """Their relative motion."""
+        """Return the relative motion of the pair."""
         return Approach(self.at(q), _carried(self.slides, v), _carried(self.slides, a), self.meeting.distance)
 
     def at(self, q: Row) -> Vector:
-        """From the first to the second."""
+        """Return the vector from the first body to the second, m."""
         start, moved = self.apart, _carried(self.slides, q)
         return (start[0] + moved[0], start[1] + moved[1], start[2] + moved[2])
 
     def hit(self, q: Row, v: Row, a: Row) -> float:
-        """Return the time at which they touch next, or infinity."""
+        """Return the time until the next contact, s, or infinity."""
         near = self.approach(q, v, a)
         normal = self.meeting.normal
         if normal is None:
@@ -180,10 +180,10 @@ def _carried(slides: Steps, values: Row) -> Vector:
 
 
 class SteadyEquations:
-    """Equations that are those of the start for ever, and the propagator that follows from that."""
+    """Equations of motion that are constant in time, with their closed-form solution."""
 
     def __init__(self, system: System) -> None:
-        """Assemble everything once."""
+        """Assemble the constant equations once."""
         self.system, self.size, self.count = system, system.size, system.count
         rest = [0.0] * self.size
         assembly = Assembly(system.mechanism, system.phase, (rest, rest, 0.0), math, system.frames)
@@ -207,7 +207,7 @@ class SteadyEquations:
         return _Pair(meeting, _plain(apart), slides, lifts)
 
     def instant(self, time: float, q: Row, v: Row, phase: Phase) -> Instant:
-        """The same as ever, but for what is left of each margin; a pair that sticks together is a row of its own."""
+        """Return the equations at one instant: constant apart from margins, with one row for each pair that sticks."""
         spare, rates = list[float](), list[float]()
         for row, reel, room in zip(self._rows, self._reels, self._spare, strict=True):
             spare.append(room - row.rate(q) - reel * time)
@@ -224,7 +224,7 @@ class SteadyEquations:
 
     @staticmethod
     def _near(pair: _Pair, stuck: bool, q: Row, v: Row) -> Near:  # noqa: FBT001 - one of several in a map
-        """Return how a pair stands; with its gradient where it touches or sticks together."""
+        """Return the gap and rates of a pair; its gradient too if the bodies touch or stick together."""
         meeting, apart, velocity = pair.meeting, pair.at(q), _carried(pair.slides, v)
         if meeting.normal is None:
             r = hypot(*apart)
@@ -242,7 +242,7 @@ class SteadyEquations:
     # ---- the next event
 
     def glide(self, instant: Instant, found: Balance, duration: float) -> StopReason:
-        """Return how long the mode lasts, and what is due then."""
+        """Return how long the contact mode lasts, and the events that end it."""
         due = [*self._changes(instant, found), *self._finishes(instant, found)]
         soonest = min((time for time, _ in due), default=inf)
         if soonest >= duration:
@@ -252,7 +252,7 @@ class SteadyEquations:
         return StopReason(soonest, tuple(margin for time, margin in due if time <= soonest + TIE))
 
     def _changes(self, instant: Instant, found: Balance) -> list[tuple[float, Margin]]:
-        """Return the times at which rows are used up, contacts stop sliding and pairs meet, with their margins."""
+        """Return the times at which constraints tighten, contacts stop sliding and pairs collide, with the margins."""
         due: list[tuple[float, Margin]] = []
         for number in range(len(self._rows)):
             if not found.mode.acting[number]:
@@ -268,7 +268,7 @@ class SteadyEquations:
         return due
 
     def _finishes(self, instant: Instant, found: Balance) -> list[tuple[float, Margin]]:
-        """Return when the description ends."""
+        """Return the times, s, of events that end the motion, with their margins."""
         due: list[tuple[float, Margin]] = []
         for number, (length, run) in enumerate(self._runs):
             time = crossing(length + run.rate(instant.q), run.rate(instant.v), run.rate(found.a))
@@ -281,7 +281,7 @@ class SteadyEquations:
 
 
 def _sparse(along: Mapping[int, Number]) -> Gradient:
-    """Return a gradient of which nothing but the rate is asked."""
+    """Return a gradient that supports only the evaluation of rates."""
     return Gradient([], [], tuple([(number, float(part)) for number, part in sorted(along.items()) if part]))
 
 
@@ -290,5 +290,5 @@ def _steps(one: Mapping[int, Triple], other: Mapping[int, Triple]) -> Steps:
 
 
 def _plain(vector: Triple) -> Vector:
-    """Whoever computes a mechanism with NumPy passes its scalars on, which are slow."""
+    """Return the vector with Python floats, as NumPy scalars are slow."""
     return (float(vector[0]), float(vector[1]), float(vector[2]))

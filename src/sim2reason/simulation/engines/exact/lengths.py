@@ -1,4 +1,4 @@
-"""Lengths, gaps and rows: what constrains a motion, for any kind of number."""
+"""Lengths, gaps and constraint rows of a mechanism, for floats or symbols."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -9,17 +9,17 @@ from sim2reason.scenes.dsl.vectors import Gradient, Number, Point, Triple, produ
 
 
 class Phase(NamedTuple):
-    """What is switched on or off by events: forces in regions, engines, pairs that stick together, half springs."""
+    """The on/off state that events change: forces in regions, engines, pairs stuck together and one-sided springs."""
 
     inside: tuple[tuple[bool, ...], ...] = ()  # for each force, for each border of its region
     burning: tuple[bool, ...] = ()
-    stuck: tuple[bool, ...] = ()  # of each meeting
-    strained: tuple[bool, ...] = ()  # of each spring that acts only one way
+    stuck: tuple[bool, ...] = ()  # for each collision pair
+    strained: tuple[bool, ...] = ()  # for each one-sided spring
 
 
 @dataclass(slots=True)
 class PathLength:
-    """A length, its rate, its second derivative at q̈ = 0, and its gradient."""
+    """A length with its rate, its second derivative at q̈ = 0, and its gradient."""
 
     value: Number
     rate: Number
@@ -33,38 +33,38 @@ ORIGIN = Point((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), {}, {})
 
 @dataclass(slots=True)
 class RowTerms:
-    """A constraint row: along·q̈ + Σ lift·rise ≤ target, or = where it acts both ways."""
+    """A constraint row: along·q̈ + Σ lift·rise ≤ target, or = if it is two-sided."""
 
     along: Mapping[int, Number]
     lift: Mapping[int, Number]
-    value: Number  # what is left until it acts, m
-    rate: Number  # of what it bounds: positive where that is used up
+    value: Number  # distance until the constraint acts, m
+    rate: Number  # of the constrained length; positive when the distance shrinks
     target: Number
 
 
 @dataclass(slots=True)
 class Separation:
-    """How the two of a meeting stand apart: the gap, and the gradient, rate and bias of its growth."""
+    """The gap of a collision pair, with the gradient, rate and bias of its change."""
 
     gap: Number
     rate: Number
-    bias: Number  # of the second derivative, at q̈ = 0
+    bias: Number  # second derivative of the gap at q̈ = 0
     along: Mapping[int, Number]
     lift: Mapping[int, Number]
 
 
 @dataclass(slots=True)
 class RowKind:
-    """What a row is: ``string``, ``rod``, ``prop``, ``foot``, ``hold`` (of a foot) or ``stuck``, and whose."""
+    """The kind (``string``, ``rod``, ``prop``, ``foot``, ``hold``, ``stuck``) and name of a constraint row."""
 
     kind: str
     name: str
-    both: bool  # it acts both ways
-    follows: int  # the row with which it acts or not; −1 for none
+    both: bool  # whether the constraint is two-sided
+    follows: int  # the index of the row with which this one acts; −1 for none
 
 
 def row_kinds(mechanism: Mechanism, phase: Phase) -> list[RowKind]:
-    """Return what the rows of a mechanism are, in order: lines, two for each foot, pairs that stick together."""
+    """Return the kinds of all constraint rows in order: lines, two rows for each foot, pairs that stick together."""
     found = [RowKind(line.law.row, line.name, isinstance(line.law, Rigid), -1) for line in mechanism.constraints]
     for foot in mechanism.feet:
         found.append(RowKind("foot", foot.name, both=False, follows=-1))
@@ -76,12 +76,12 @@ def row_kinds(mechanism: Mechanism, phase: Phase) -> list[RowKind]:
 
 
 def projected(one: Gradient, other: Gradient, way: Triple) -> dict[int, Number]:
-    """Return how the second point moves relative to the first along `way`, by coordinate."""
+    """Return the gradient of the relative motion of the second point to the first along `way`, by coordinate."""
     return {i: product(way, axis) for i, axis in relative(one, other).items()}
 
 
 def point_row(point: Point, way: Triple, gap: Number) -> RowTerms:
-    """Return the row that holds a point along `way`."""
+    """Return the constraint row that holds a point along the direction `way`."""
     along = {i: product(way, axis) for i, axis in point.gradient.items()}
     lift = {i: product(way, normal) for i, normal in point.lift.items()}
     return RowTerms(along, lift, gap, product(way, point.velocity), -product(way, point.bias))

@@ -1,4 +1,4 @@
-"""Small linear systems that may be singular, and the linear complementarity problem of one instant."""
+"""Small linear systems that may be singular, and the linear complementarity problem of forces at one instant."""
 
 from dataclasses import dataclass, field
 from math import inf
@@ -10,7 +10,7 @@ from sim2reason.simulation.budget import Budget
 from sim2reason.simulation.engines.exact.tape import value_of
 
 Row = list[float]
-NEGLIGIBLE = 1e-11  # of a row's largest entry: what rounding leaves of a pivot that should be zero
+NEGLIGIBLE = 1e-11  # fraction of a row's largest entry: a smaller pivot counts as zero
 
 
 @dataclass(slots=True)
@@ -23,15 +23,15 @@ class Solved:
 
 
 def dot(a: Row, b: Row) -> float:
-    """Return the scalar product; the shorter one sets the length."""
+    """Return the scalar product of two rows; the shorter one determines the number of terms."""
     return sum(map(mul, a, b))
 
 
 def solve(rows: list[Row]) -> Solved:
     """Solve the equations `row[:-1] · x = row[-1]` by Gaussian elimination with row pivoting.
 
-    There may be more or fewer equations than unknowns. Unknowns that are free are 0 in `x`, and 1, one
-    after the other, in the `nulls`. The list of rows is used up.
+    There may be more or fewer equations than unknowns. Free unknowns are 0 in `x`, and each is 1 in one of the `nulls`.
+    The list of rows is modified.
     """
     size = len(rows[0]) - 1 if rows else 0
     pending = [_scaled(row, size) for row in rows]
@@ -54,7 +54,7 @@ def solve(rows: list[Row]) -> Solved:
 
 
 def _scaled(row: Row, size: int) -> Row:
-    """Divide by the largest coefficient; a last entry keeps the right side for scale, as elimination shrinks it."""
+    """Return the row divided by its largest coefficient; an extra last entry keeps the scale of the right side."""
     largest = max(map(abs, row[:size]))
     if largest in (0.0, 1.0):  # as of a string's row
         return [*row, row[size]]
@@ -65,7 +65,7 @@ def _scaled(row: Row, size: int) -> Row:
 
 
 def _freed(row: Row, pivot: Row, column: int) -> Row:
-    """Return a row freed of the unknown that the pivot settles."""
+    """Return a row with one unknown eliminated by a pivot row."""
     factor = row[column] / pivot[column]
     freed = [a - factor * b for a, b in zip(row, pivot, strict=True)]
     freed[column], freed[-1] = 0.0, max(abs(row[-1]), abs(factor * pivot[-1]))
@@ -87,14 +87,14 @@ def _null(pivots: list[tuple[int, Row]], size: int, column: int) -> Row:
 
 @dataclass(slots=True)
 class Gradient:
-    """How a length changes with the coordinates, and with the rises of the contacts."""
+    """The gradient of a length with respect to the coordinates and to the rises of the contacts."""
 
     along: Row  # (n,)
     lift: Row  # (c,)
-    terms: tuple[tuple[int, float], ...]  # the entries of `along` that are not zero
+    terms: tuple[tuple[int, float], ...]  # the nonzero entries of `along`
 
     def rate(self, values: Row) -> float:
-        """Return the rate of change, from velocities or accelerations."""
+        """Return the rate of change for given velocities, or the second derivative for accelerations."""
         total = 0.0
         for number, factor in self.terms:
             total += factor * values[number]
@@ -102,33 +102,33 @@ class Gradient:
 
 
 def gradient(along: Row, lift: Row) -> Gradient:
-    """Return a gradient with its terms."""
+    """Return a gradient with its nonzero terms precomputed."""
     return Gradient(along, lift, tuple([(number, part) for number, part in enumerate(along) if part]))
 
 
 @dataclass(frozen=True, slots=True)
 class RoughContact:
-    """A rough contact: its number among the contacts, the gradient of its slip, and its coefficients of friction."""
+    """A contact with friction: its index among the contacts, gradient of slip, and friction coefficients."""
 
     contact: int
     slip: Gradient
     friction: float
-    coordinate: int = -1  # where the slip is the rate of one coordinate and nothing else
-    both: bool = False  # the face holds both ways, so that a negative normal force rubs as well
+    coordinate: int = -1  # the index of the coordinate whose rate equals the slip; −1 for none
+    both: bool = False  # whether the face holds in both directions; a negative normal force rubs too
     holds: float = 0.0  # the coefficient of static friction
 
     @property
     def never(self) -> bool:
-        """Whether its friction has no bound, so that it never slips; what rounding leaves of its slip is none."""
+        """Return whether friction is unbounded, so that the contact never slips and any residual slip is round-off."""
         return self.friction == inf
 
     def side(self, slip: float, least: float = 0.0) -> int:
-        """Return the side to which it slips at a speed of which `least` is still none."""
+        """Return the direction of slip as −1, 0 or 1; speeds up to `least` count as zero."""
         return 0 if self.never else (slip > least) - (slip < -least)
 
 
 class Mode(NamedTuple):
-    """Which rows act, and how each rough contact rubs: 0 sticks, ±1 slips to that side."""
+    """A contact mode: which constraint rows act, and how each rough contact rubs: 0 sticks, ±1 slips."""
 
     acting: tuple[bool, ...]
     rubbing: tuple[int, ...]
@@ -136,7 +136,7 @@ class Mode(NamedTuple):
 
 @dataclass(slots=True)
 class Problem:
-    """One instant's loads, rows and rough contacts."""
+    """Loads, constraint rows and rough contacts at one instant, as a linear complementarity problem."""
 
     mass: list[Row]
     lifted: list[Row]
@@ -145,20 +145,20 @@ class Problem:
     rows: tuple[Gradient, ...]
     targets: Row
     grips: tuple[RoughContact, ...]
-    sliding: tuple[int, ...]  # the side to which a contact slips already, which no search may change; else 0
+    sliding: tuple[int, ...]  # the prescribed direction of slip of a sliding contact; 0 if the search may choose
     held: tuple[bool, ...]  # the rows that act whatever the sign of λ
-    follows: tuple[int, ...]  # the row with which each row acts or not, or −1
-    guided: tuple[int, ...]  # the contacts that hold both ways
-    budget: Budget = field(default_factory=Budget)  # of the motion that it is an instant of
-    load: float = field(init=False)  # the largest of what is given to act
+    follows: tuple[int, ...]  # the index of the row with which each row acts, or −1
+    guided: tuple[int, ...]  # the contacts that hold in both directions
+    budget: Budget = field(default_factory=Budget)  # of the motion to which the instant belongs
+    load: float = field(init=False)  # the largest of the given loads
 
     def __post_init__(self) -> None:
-        """Find the largest load."""
+        """Compute the largest given load."""
         self.load = max(map(abs, (*self.force, *self.press)), default=0.0)
 
 
 class Forces(NamedTuple):
-    """The multipliers of one solution, or of one way to change it."""
+    """The constraint forces of one solution, or of one pattern by which they can change."""
 
     rows: Row
     friction: Row
@@ -167,13 +167,13 @@ class Forces(NamedTuple):
 
 @dataclass(slots=True)
 class Solution:
-    """x and what acts, for one mode; `spare` are force patterns that could be added without effect."""
+    """The solution x for one contact mode; `spare` are force patterns that do not change the motion."""
 
     mode: Mode
     x: Row
     forces: Forces
     spare: list[Forces]
-    loose: bool  # a massless part that nothing holds: its x means nothing
+    loose: bool  # whether nothing holds some massless part, so that its x is meaningless
     consistent: bool = True
 
 
@@ -181,17 +181,17 @@ Equation = list[Number]  # coefficients, the right side last
 
 
 class Unknowns(NamedTuple):
-    """The solution of one mode; `pivots` are what was divided by, `free` how forces can change without effect."""
+    """The solution of one contact mode; `pivots` are the divisors, `free` the undetermined force patterns."""
 
     x: list[Number]
     rows: dict[int, Number]  # multipliers of the acting rows
-    friction: dict[int, Number]  # of the rough contacts that stick
+    friction: dict[int, Number]  # of the sticking rough contacts
     pivots: list[Number]
     free: "tuple[FreeForces, ...]" = ()
 
 
 class FreeForces(NamedTuple):
-    """One way in which forces can change that no motion shows."""
+    """A pattern of constraint forces that does not affect the motion."""
 
     rows: dict[int, Number]
     friction: dict[int, Number]
@@ -200,7 +200,7 @@ class FreeForces(NamedTuple):
 def eliminated(equations: list[Equation], size: int, active: list[int], sticking: list[int]) -> Unknowns:
     """Solve for `size` accelerations, then the multipliers of `active` rows, then the friction of `sticking` contacts.
 
-    An unknown that the equations leave free, since something is held twice, is zero.
+    An unknown that redundant constraints leave undetermined is zero.
     """
     width = len(equations[0]) - 1 if equations else 0
     scales = [max((abs(value_of(entry)) for entry in row[:width]), default=0.0) or 1.0 for row in equations]
@@ -225,7 +225,7 @@ def eliminated(equations: list[Equation], size: int, active: list[int], sticking
 
 
 def _symbols_substituted(solved: list[tuple[int, Equation]], found: list[Number], *, load: bool) -> list[Number]:
-    """Return all unknowns, given the free ones; without the `load` the right sides are zero."""
+    """Return all unknowns, given the free ones; without `load` the right sides are zero."""
     width = len(found)
     for column, row in reversed(solved):
         total: Number = row[width] if load else 0.0
@@ -239,13 +239,13 @@ def _symbols_substituted(solved: list[tuple[int, Equation]], found: list[Number]
 def _named(
     found: list[Number], size: int, active: list[int], sticking: list[int]
 ) -> tuple[dict[int, Number], dict[int, Number]]:
-    """Multipliers by row, and friction by rough contact."""
+    """Return the multipliers by row index, and the friction by index of the rough contact."""
     rows = dict(zip(active, found[size : size + len(active)], strict=True))
     return rows, dict(zip(sticking, found[size + len(active) :], strict=True))
 
 
 def _reduce(row: Equation, pivot: Equation, column: int) -> None:
-    """Free a row of the unknown that the pivot settles."""
+    """Eliminate one unknown from a row in place by a pivot row."""
     if _is_zero(row[column]):
         return
     factor = row[column] / pivot[column]

@@ -1,4 +1,4 @@
-"""Margins that an engine watches while a mode lasts, and the code that evaluates them."""
+"""Event margins of a contact mode, and the code that evaluates them."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -10,12 +10,12 @@ from sim2reason.base.lazy import cached_property
 from sim2reason.simulation.engines.exact.affine import LinearEquations
 from sim2reason.simulation.engines.exact.dop853 import Rate
 
-FAINT = 1e-12  # a part that is none
-MOST = 4000  # combinations that are followed
+FAINT = 1e-12  # smaller coefficients count as zero
+MOST = 4000  # largest number of combined conditions
 
 
 class Condition(NamedTuple):
-    """base + Σ part·z ≥ least, and which of the given conditions were combined into it."""
+    """The condition base + Σ part·z ≥ least, with the indices of the given conditions it combines."""
 
     base: float
     parts: tuple[float, ...]
@@ -23,10 +23,10 @@ class Condition(NamedTuple):
 
 
 def greatest_least(bases: Sequence[float], parts: Sequence[Sequence[float]]) -> tuple[float, frozenset[int]]:
-    """Return the greatest value, over all z, of the least margin, and which margins set it; infinity if nothing does.
+    """Return the maximum over all z of the least margin, and the margins that limit it; infinity if unbounded.
 
-    Fourier and Motzkin's elimination: any two conditions in which a free force has opposite signs combine, with
-    weights of sum 1, into one without it.
+    Fourier–Motzkin elimination: any two conditions in which a free force has opposite signs combine, with weights of
+    sum 1, into one without it.
     """
     found = [Condition(b, tuple(p), frozenset({i})) for i, (b, p) in enumerate(zip(bases, parts, strict=True))]
     for place in range(len(parts[0]) if parts else 0):
@@ -46,52 +46,52 @@ def _combined(one: Condition, other: Condition, place: int) -> Condition:
 
 
 class Margin(NamedTuple):
-    """What is left until something happens.
+    """An event function: the distance, force or time that remains until an event.
 
-    kind: ``spare`` of an idle row · ``force`` of a row that acts · ``normal`` force of a contact · ``slip`` speed of
-    one that slides · ``grip`` of one that sticks, on a side · ``gap`` of a meeting · ``reach`` of a straight piece of
-    line · ``limit`` of a coordinate · ``burn`` time of an engine · ``border`` of a region, of a force, on a side ·
-    ``brace``: all margins of forces that the motion leaves open.
+    kind: ``spare`` of an idle row · ``force`` of an acting row · ``normal`` force of a contact · ``slip`` speed of a
+    sliding contact · ``grip`` of a sticking contact, on a side · ``gap`` of a collision pair · ``reach`` of a straight
+    line segment · ``limit`` of a coordinate · ``burn`` time of an engine · ``border`` of a region, of a force, on a
+    side · ``brace``: all margins of undetermined forces.
     """
 
     kind: str
-    number: int  # of the row, contact, rough contact, meeting, run, limit, engine, force or half spring
-    side: int = 0  # to which a contact begins to slip; which border of a region
+    number: int  # of the row, contact, rough contact, pair, segment, limit, engine, force or half spring
+    side: int = 0  # the direction in which a contact begins to slip, or the border of a region
 
 
 class StopReason(NamedTuple):
-    """How long a mode lasted, and what is due then; nothing if it lasted as long as was asked for."""
+    """The duration of a contact mode and the margins due at its end; none if the requested time was reached."""
 
     elapsed: float
     due: tuple[Margin, ...]
 
 
 ENDS = frozenset({"reach", "limit", "normal"})
-"""What ends the motion that is described."""
+"""The kinds of margins that end the simulated motion."""
 
 
 @dataclass(frozen=True)
 class Formulas:
-    """The code of one mode: rates for the integrator, all forces for samples, margins.
+    """The generated code of one contact mode: rates for the integrator, forces for samples, event margins.
 
-    Where the motion leaves forces open, the conditions that they must meet are `braced`: they count as one margin,
-    the last one, which tells how well all can be met at once.
+    If the motion leaves forces undetermined, the conditions on them are `braced`: they count as one margin, the last
+    one, which states how well all can be met at once.
     """
 
     rate: Rate
-    write_forces: Callable[[], Callable[[Any], Callable[..., tuple[Any, ...]]]]  # of `math` or `numpy`, if it is asked
-    code: Callable[..., tuple[float, ...]]  # of margins, then of what braced ones are and how they change
+    write_forces: Callable[[], Callable[[Any], Callable[..., tuple[Any, ...]]]]  # generated on demand
+    code: Callable[..., tuple[float, ...]]  # of margins, then of the values and changes of braced margins
     watched: tuple[Margin, ...]
-    held: Callable[..., tuple[float, ...]] | None  # by how much rows that act are off, if something is held twice
-    passing: tuple[int, ...]  # the margins of straight pieces whose ends may pass each other aside
-    closing: Callable[..., tuple[float, ...]]  # Δr·Δv of these, then themselves
-    cost: int  # operations of a step that is tried
+    held: Callable[..., tuple[float, ...]] | None  # violation of the acting rows, if constraints are redundant
+    passing: tuple[int, ...]  # the indices of margins of straight segments whose ends may pass each other
+    closing: Callable[..., tuple[float, ...]]  # Δr·Δv of these, then the distances
+    cost: int  # operations of an attempted step
     find_linear: Callable[[], LinearEquations | None]
     braced: tuple[Margin, ...] = ()
 
     @cached_property
     def sampled_forces(self) -> Callable[..., tuple[Any, ...]]:
-        """For arrays of samples: a, rows, normal, friction. Few motions are asked for them."""
+        """Return the function that evaluates a, rows, normal and friction on arrays of samples, generated on demand."""
         return self.write_forces()(np)
 
     @cached_property
@@ -100,12 +100,12 @@ class Formulas:
         return None if self.braced or self.held else self.find_linear()
 
     def margins(self, time: float, values: Sequence[float]) -> tuple[float, ...]:
-        """Return all margins, in the order of `watched`."""
+        """Return all event margins in the order of `watched`."""
         found = self.code(time, values)
         return (*found[: len(self.watched) - 1], self._brace(found)[0]) if self.braced else found
 
     def due(self, margin: Margin, time: float, values: Sequence[float]) -> tuple[Margin, ...]:
-        """Return what a margin that is used up stands for."""
+        """Return the margins that a due margin represents; several for the combined margin of undetermined forces."""
         if margin.kind != "brace":
             return (margin,)
         return tuple(self.braced[i] for i in sorted(self._brace(self.code(time, values))[1]))

@@ -1,4 +1,4 @@
-"""Recorded motion between events, and the log of events."""
+"""The recorded motion between events, and the log of events."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -17,26 +17,26 @@ from sim2reason.simulation.engines.exact.lengths import RowKind
 from sim2reason.simulation.engines.exact.linear import Mode, RoughContact, Row
 from sim2reason.simulation.trace import EVENT_KINDS, Event, in_order
 
-CROWD = 5e-3  # s; a body that is hit again, or a string that jerks again, sooner has too much happen at once
-SAME = 8  # events back among which one is looked for that says the same
-TIE = 1e-11  # s; events that are no further apart are simultaneous
-BEGINS = {"string": "taut", "prop": "land", "foot": "land"}
-STOPS = {"string": "slack", "prop": "leave", "foot": "leave"}
-ORDER = {kind: place for place, kind in enumerate(EVENT_KINDS)}  # of simultaneous events
+CROWD = 5e-3  # s; repeated impacts of one body, or jerks of one string, within this time end the motion
+SAME = 8  # latest events that are compared to avoid duplicates
+TIE = 1e-11  # s; events closer than this are simultaneous
+BEGINS = {"string": "taut", "prop": "land", "foot": "land"}  # kind of the event at which a constraint begins to act
+STOPS = {"string": "slack", "prop": "leave", "foot": "leave"}  # kind of the event at which a constraint ceases to act
+ORDER = {kind: place for place, kind in enumerate(EVENT_KINDS)}  # rank of simultaneous events
 
 
 class EventLog:
-    """Events, impacts by whom they struck, and the kind of the event that ended it all."""
+    """The events of a motion, the last impact of each body, and the kind of the event that ended the motion."""
 
     def __init__(self, mechanism: Mechanism) -> None:
-        """Nothing has happened."""
+        """Start with no events."""
         self._mechanism = mechanism
         self.events: list[Event] = []
         self.cut = ""
         self._hits: dict[str, tuple[float, tuple[str, ...]]] = {}  # the last hit of each body, or jerk of each row
 
     def record(self, time: float, kind: str, *subjects: str) -> None:
-        """Record an event unless it is already recorded: a body may enter the regions of several forces at one instant.
+        """Record an event unless it is already recorded, since a body may enter several regions at one instant.
 
         Collisions are always recorded, since two bodies that touch others may collide more than once at an instant.
         """
@@ -45,23 +45,23 @@ class EventLog:
             self.events.append(event)
 
     def end(self, time: float, kind: str, *subjects: str) -> None:
-        """Note an event that ends the description."""
+        """Record an event that ends the motion."""
         self.record(time, kind, *subjects)
         self.cut = self.cut or kind
 
     def lift(self, time: float, contacts: Iterable[int]) -> None:
-        """Bodies leave their faces: the end."""
+        """Record that bodies leave their faces, which ends the motion."""
         for number in contacts:
             self.end(time, "lift", self._mechanism.faces[number].subject)
 
     def struck(self, time: float, names: Iterable[str], subjects: tuple[str, ...]) -> None:
-        """Remember an impact on bodies or rows."""
+        """Store the time and subjects of an impact on the named bodies or rows."""
         self._hits |= dict.fromkeys(names, (time, subjects))
 
     def crowded(self, time: float, names: Iterable[str]) -> float | None:
-        """Return when the impact was after which one of `names` is struck again too soon; None if none is.
+        """Return the time of the previous impact if one of `names` is struck again too soon; None otherwise.
 
-        Two can do so by turns, without end.
+        Alternating impacts could continue without end.
         """
         recent = [self._hits[name] for name in names if name in self._hits]
         early = min((hit for hit in recent if TIE < time - hit[0] < CROWD), default=None)
@@ -72,14 +72,14 @@ class EventLog:
         return early[0]
 
     def snapped(self, time: float, kinds: list[RowKind], rows: Iterable[int]) -> None:
-        """Rows that were used up with a jerk."""
+        """Record the constraints that became tight with a jerk."""
         for number in sorted(rows):
             self.record(time, BEGINS[kinds[number].kind], kinds[number].name)
 
     def changed(
         self, time: float, kinds: list[RowKind], modes: tuple[Mode, Mode], rows: set[int], *, first: bool
     ) -> None:
-        """Rows that begin or cease to act between two modes, those in `rows` with a jerk."""
+        """Record the constraints that begin or cease to act between two modes; those in `rows` with a jerk."""
         before, after = modes
         for number, kind in enumerate(kinds):
             if kind.both:
@@ -90,7 +90,7 @@ class EventLog:
                 self.record(time, STOPS[kind.kind], kind.name)
 
     def rubbed(self, time: float, grips: tuple[RoughContact, ...], modes: tuple[Mode, Mode]) -> None:
-        """Contacts that begin to stick or to slip."""
+        """Record the contacts that begin to stick or to slip."""
         for grip, was, now in zip(grips, modes[0].rubbing, modes[1].rubbing, strict=True):
             if was != now:
                 self.record(time, "slip" if now else "stick", self._mechanism.faces[grip.contact].subject)
@@ -102,9 +102,9 @@ class EventLog:
 
 @dataclass(slots=True)
 class Segment:
-    """From `start` on one mode: q + vτ + aτ²/2 with constant multipliers (NaN where they are not determined).
+    """A motion segment of one mode: q + vτ + aτ²/2 with constant multipliers (NaN if undetermined).
 
-    Where the equations change `flow` has the motion and the forces, and the rest only says how it begins.
+    If the equations change, `flow` holds the motion and forces, and the other fields hold the initial values.
     """
 
     start: float  # s
@@ -116,28 +116,28 @@ class Segment:
 
     @property
     def a(self) -> Row:
-        """Accelerations at the start of the segment."""
+        """Return the accelerations at the start of the segment, (n,)."""
         return self.found.a
 
     @property
     def tension(self) -> Row:
-        """The forces of the rows at the start of the segment, N."""
+        """Return the constraint forces at the start of the segment, N."""
         return self.found.rows
 
     @property
     def normal(self) -> Row:
-        """Normal forces at the start of the segment, N."""
+        """Return the normal forces at the start of the segment, N."""
         return self.found.normal
 
     @property
     def friction(self) -> Row:
-        """Friction forces at the start of the segment, N."""
+        """Return the friction forces at the start of the segment, N."""
         return self.found.friction
 
 
 @dataclass(frozen=True)
 class Motion:
-    """Segments in order of time, the events between them, and where and why it ends."""
+    """The motion segments in order of time, the events between them, and the end time with its cause."""
 
     mechanism: Mechanism
     segments: tuple[Segment, ...]
@@ -146,7 +146,7 @@ class Motion:
     cut: str = ""  # the kind of the event that ended it early
 
     def through(self, time: float) -> "Motion":
-        """As far as a time, s, and what begins by then."""
+        """Return the motion truncated at a time, s."""
         if time >= self.end:
             return self
         segments = tuple(segment for segment in self.segments if segment.start < time)
@@ -154,18 +154,18 @@ class Motion:
 
     @cached_property
     def _widths(self) -> tuple[int, int, int]:
-        """Return how many coordinates, lines that are rows, and contacts there are."""
+        """Return the numbers of coordinates, constrained lines and contacts."""
         mechanism = self.mechanism
         return len(mechanism.coordinates), len(mechanism.constraints), len(mechanism.faces)
 
     @cached_property
     def _starts(self) -> Array:
-        """Of the segments, s."""
+        """Return the start times of the segments, s."""
         return np.array([segment.start for segment in self.segments])
 
     @cached_property
     def _table(self) -> Array:
-        """A row for each segment: q, v, a, forces of lines, normal forces, friction."""
+        """Return a table with a row for each segment: q, v, a, line forces, normal forces, friction."""
         lines = self._widths[1]
         rows = [
             (*s.q, *s.v, *s.found.a, *s.found.rows[:lines], *s.found.normal, *s.found.friction) for s in self.segments
@@ -174,7 +174,7 @@ class Motion:
 
     @cached_property
     def knots(self) -> Array:
-        """The instants between which everything is smooth and simple: beginnings of segments and of steps, s."""
+        """Return the start times of segments and of integrator steps, between which the motion is smooth, s."""
         found = [segment.start for segment in self.segments]
         found += [step.time for segment in self.segments if segment.flow for step in segment.flow.steps]
         linear = (stretch for segment in self.segments if segment.flow for stretch in segment.flow.stretches)
@@ -182,18 +182,18 @@ class Motion:
         return in_order(np.array([*(time for time in found if time <= self.end), self.end]))
 
     def state(self, times: Array) -> State:
-        """Return the motion at any times ≥ 0, s, shape (m,); after the end the last segment just goes on."""
+        """Return the motion at times ≥ 0, s, shape (m,); the last segment is extrapolated beyond the end."""
         at = self._belonging(times)
         return State(self.mechanism, times, partial(self._kinematics, times, at), partial(self._dynamics, times, at))
 
     def _belonging(self, times: Array) -> NDArray[np.intp]:
-        """Return the number of the segment that each instant belongs to."""
+        """Return the index of the segment that contains each instant."""
         if len(self.segments) == 1:
             return np.zeros(len(times), np.intp)
         return np.maximum(np.searchsorted(self._starts, times, side="right") - 1, 0)
 
     def _flows(self, at: NDArray[np.intp]) -> Iterator[tuple[Segment, Flow, NDArray[np.bool_]]]:
-        """The integrated ones among the segments that instants belong to, with their flows, and which instants."""
+        """Yield each integrated segment that contains given instants, with its flow and a mask of these instants."""
         numbers: list[int] = at.tolist()
         for number in dict.fromkeys(numbers):
             segment = self.segments[number]
@@ -201,7 +201,7 @@ class Motion:
                 yield segment, segment.flow, at == number
 
     def _kinematics(self, times: Array, at: NDArray[np.intp]) -> tuple[Array, Array]:
-        """Coordinates and their rates."""
+        """Return coordinates and their rates at the given times."""
         n, lone = self._widths[0], len(self.segments) == 1  # whose one row NumPy repeats by itself
         flow = self.segments[0].flow if lone else None
         if flow is not None and flow.moves:
@@ -218,7 +218,7 @@ class Motion:
         return q, v
 
     def _dynamics(self, times: Array, at: NDArray[np.intp], q: Array, v: Array) -> Dynamics:
-        """Accelerations and forces."""
+        """Return accelerations and constraint forces at the given times."""
         n, lines, faces = self._widths
         table = self._table[at]
         a, forces = table[:, 2 * n : 3 * n], table[:, 3 * n :].T
@@ -240,7 +240,7 @@ class Motion:
 
 
 def _forces(flow: Flow, times: Array, values: tuple[Array, ...]) -> Array:
-    """Accelerations, multipliers of rows, normal forces and friction along a flow, a row for each."""
+    """Return accelerations, multipliers of rows, normal forces and friction along a flow, one row each."""
     with np.errstate(divide="ignore", invalid="ignore"):  # what has no value is not a number
         found = flow.formulas.sampled_forces(times, values)
     columns = np.empty((len(found), len(times)))

@@ -1,7 +1,7 @@
-"""Whether a structure with more supports than it needs can stand: any forces that hold it will do.
+"""Search for admissible forces in a structure with redundant supports.
 
-When multipliers are not unique, the one set that elimination gives may have a string push or a contact
-hold more than µN although another set would not. So look for any set that is allowed.
+If multipliers are not unique, those from elimination may make a string push or a contact exceed µN although other
+admissible forces exist. This module finds any admissible set.
 """
 
 import numpy as np
@@ -9,16 +9,15 @@ import numpy as np
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.exact.linear import Mode, Problem, Row
 
-ROUNDING = 1e-12
-ALLOWED = 1e-9  # of the largest load
+ROUNDING = 1e-12  # relative threshold of round-off
+ALLOWED = 1e-9  # fraction of the largest load: admissible residual
 
 
 def bearing(problem: Problem, mode: Mode, x: Row) -> tuple[Row, Row] | None:
-    """Multipliers λ of the acting rows, and friction f of all contacts, that are allowed for this x, or None.
+    """Return admissible multipliers λ of the acting rows and friction f of all contacts for this x, or None.
 
-    Allowed is λ ≥ 0 but of rows that act both ways, |f| ≤ µN and N ≥ 0. As equations with unknowns that can't be
-    negative: λ = p − r where it may have either sign; f = p − r, µN = p + r + spare for a contact that sticks, N =
-    spare for any other.
+    Admissible means λ ≥ 0 except for two-sided rows, |f| ≤ µN and N ≥ 0. As equations with nonnegative unknowns:
+    λ = p − r if it may have either sign; f = p − r, µN = p + r + spare for a sticking contact, N = spare for any other.
     """
     active = [number for number, acts in enumerate(mode.acting) if acts]
     n, c = len(x), len(problem.press)
@@ -50,7 +49,7 @@ def bearing(problem: Problem, mode: Mode, x: Row) -> tuple[Row, Row] | None:
 
 
 def _stacked(problem: Problem, along: Array, lift: Array, sticking: list[int]) -> Array:
-    """Columns: λ, then p and r of each contact that sticks, then the spare of every contact."""
+    """Return the matrix with columns λ, then p and r of each sticking contact, then the spare of every contact."""
     n, rows = along.shape
     c, k = len(lift), len(sticking)
     matrix = np.zeros((n + c, rows + 2 * k + c))
@@ -66,11 +65,11 @@ def _stacked(problem: Problem, along: Array, lift: Array, sticking: list[int]) -
 
 
 def nonnegative(matrix: Array, right: Array) -> tuple[Array, float]:
-    """Return the x ≥ 0 that minimises |matrix·x − right|, and the largest entry of that residual.
+    """Return the x ≥ 0 that minimizes |matrix·x − right|, and the largest entry of that residual.
 
-    The active-set method of Lawson and Hanson, Solving Least Squares Problems (1974), chapter 23: let in the
-    unknown that helps most; go back to the border if another would turn negative, and put that one out. It begins with
-    all unknowns inside, of which more stay than turn negative.
+    The active-set method of Lawson and Hanson, Solving Least Squares Problems (1974), chapter 23: add the unknown with
+    the largest descent; return to the boundary if another would turn negative, and remove that one. It starts with all
+    unknowns in the active set, of which most stay.
     """
     columns = matrix.shape[1]
     x = np.zeros(columns)

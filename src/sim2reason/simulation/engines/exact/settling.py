@@ -1,4 +1,4 @@
-"""One instant of a motion: impacts, then the forces and the mode that follow."""
+"""One instant of a motion: impacts, then the forces and the contact mode that follow."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,22 +14,22 @@ from sim2reason.simulation.engines.exact.margins import Margin
 from sim2reason.simulation.engines.exact.motion import EventLog, Segment
 from sim2reason.simulation.engines.exact.system import TOUCHING, Instant, Near, System
 
-ROUNDING = 1e-9  # of the largest impulse or momentum: a face that pulls by less does not pull
+ROUNDING = 1e-9  # fraction of the largest impulse or momentum: a smaller negative impulse is round-off
 
 
 @dataclass(slots=True)
 class Struck:
-    """What an impact leaves."""
+    """The state just after an impact."""
 
     v: Row  # the velocities just after
-    acting: tuple[bool, ...]  # of the rows that took part
-    rubbing: tuple[int, ...]  # of each rough contact: 0 if it sticks
-    lifted: tuple[int, ...]  # the contacts that come apart; v then means nothing
+    acting: tuple[bool, ...]  # for each row in the impact
+    rubbing: tuple[int, ...]  # for each rough contact: 0 if it sticks
+    lifted: tuple[int, ...]  # the contacts that separate; v is then meaningless
 
 
 @dataclass(slots=True)
 class Impact:
-    """What takes part: the numbers of rows, those that act at first, the numbers of pairs; and what rows are."""
+    """The constraints in an impact: indices of rows, the initially acting ones, indices of pairs, kinds of rows."""
 
     rows: list[int]
     acting: list[bool]
@@ -39,7 +39,7 @@ class Impact:
 
 
 def strike(system: System, instant: Instant, impact: Impact, still: float) -> Struck:
-    """Return the velocities just after, and what comes apart; slower than `still`, m/s, nothing closes."""
+    """Compute the state just after an impact; closing speeds below `still`, m/s, count as zero."""
     rows = [instant.rows[number] for number in impact.rows]
     targets = [instant.rows[number].rate(instant.v) - instant.rates[number] for number in impact.rows]
     acting = list(impact.acting)
@@ -71,15 +71,15 @@ def strike(system: System, instant: Instant, impact: Impact, still: float) -> St
     return Struck(found.x, found.mode.acting[: len(impact.rows)], found.mode.rubbing, apart)
 
 
-REST = 1e-11  # m/s or rad/s; what rounding leaves of a speed that is zero
-DRIFT = 1e-7  # m or m/s; what integration may leave of a constraint
+REST = 1e-11  # m/s or rad/s; residual round-off of a speed that is zero
+DRIFT = 1e-7  # m or m/s; admissible drift of a constraint
 
 
 class Settling:
-    """A motion in the making: the present state, what is behind it, and what acts now."""
+    """A motion under construction: the present state, the recorded segments and the present contact mode."""
 
     def __init__(self, mechanism: Mechanism, duration: float, tolerance: float) -> None:
-        """Stand at the start; raises as `System` does."""
+        """Initialize at the start of the motion; raises as `System` does."""
         self.tolerance = tolerance
         self.system = System(mechanism)
         self.steady = None if self.system.changing else SteadyEquations(self.system)
@@ -97,7 +97,7 @@ class Settling:
         self.event_log = EventLog(mechanism)
 
     def instant(self) -> Instant:
-        """Return the numbers of the present state."""
+        """Return the equations at the present state."""
         equations = self.steady or self.curved
         assert equations is not None
         return equations.instant(self.now, self.q, self.v, self.phase)
@@ -105,7 +105,7 @@ class Settling:
     # -- impacts ---------------------------------------------------------------------------------
 
     def impact(self, instant: Instant) -> set[int] | None:
-        """Let what collides bounce and what is used up jerk; the rows that snapped, or None at the end."""
+        """Compute all impacts at an instant; return the rows that jerked, or None at the end of the motion."""
         full = [i for i, spare in enumerate(instant.spare) if spare <= TOUCHING or self.kinds[i].both or self._acts(i)]
         full = [i for i in full if not self._is_due("force", i)]
         full = [i for i in full if self.kinds[i].follows < 0 or self.kinds[i].follows in full]
@@ -122,7 +122,7 @@ class Settling:
         return None if self.event_log.cut else snapped
 
     def _takes_part(self, number: int, near: Near) -> bool:
-        """Return whether a pair takes part in an impact; a pair at rest in contact that may bounce is struck later."""
+        """Return whether a pair takes part in an impact; a resting pair that may bounce is struck later."""
         resting = near.meeting.restitution > 0.0 and near.rate >= -STILL
         return near.touching and not resting and not self.phase.stuck[number]
 
@@ -152,13 +152,13 @@ class Settling:
             self.event_log.lift(self.now, found.lifted)
 
     def _rest(self, rubbing: tuple[int, ...]) -> None:
-        """A contact that sticks after an impact, along one coordinate, has no speed at all."""
+        """Set the slip of each contact that sticks after an impact to exactly zero if it depends on one coordinate."""
         for grip, side in zip(self.system.grips, rubbing, strict=True):
             if side == 0 and grip.coordinate >= 0:
                 self.v[grip.coordinate] = 0.0
 
     def _stick(self, number: int) -> None:
-        """From now on a pair stays together: one more row."""
+        """Keep a pair of bodies together from now on by an additional constraint row."""
         stuck = tuple(was or i == number for i, was in enumerate(self.phase.stuck))
         self.phase = self.phase._replace(stuck=stuck)
         kinds = self.system.kinds(self.phase)
@@ -167,7 +167,7 @@ class Settling:
         self.kinds = kinds
 
     def _crowded(self, hits: list[int], snapped: set[int]) -> bool:
-        """End at the earlier hit if a body is hit again too soon, or a string jerks again: two can do so by turns."""
+        """End the motion if a body is hit or a string jerks again too soon, as such impacts may repeat endlessly."""
         names = [name for i in hits for name in self.system.movable[i]]
         early = self.event_log.crowded(self.now, [*names, *(f"row {self.kinds[number].name}" for number in snapped)])
         if early is None:
@@ -179,7 +179,7 @@ class Settling:
     # -- forces ----------------------------------------------------------------------------------
 
     def settle(self, instant: Instant, snapped: set[int], rates: Sequence[float]) -> Balance | None:
-        """Find the forces and note what changed; None at the end. `rates` are those of rows before any impact."""
+        """Compute the forces and record changes; return None at the end. `rates` are those of rows before impacts."""
         before = self.mode
         found = self.balance(instant, snapped, rates)
         touching = (i for i, near in enumerate(instant.pairs) if near.touching)
@@ -208,9 +208,9 @@ class Settling:
         return None
 
     def balance(self, instant: Instant, snapped: set[int], rates: Sequence[float] | None) -> Balance:
-        """Return the forces; with what is due decided as it is due.
+        """Compute the forces, with rows and contacts that are due in their prescribed state.
 
-        `rates` are those of rows before any impact; None: nothing is tight.
+        `rates` are those of rows before any impact; None if no row is tight.
         """
         rows = range(len(self.kinds) if rates is not None else 0)
         tight = [i for i in rows if self.kinds[i].both or self._is_tight(instant, i, rates or ())]
@@ -229,13 +229,13 @@ class Settling:
         return balance(self.system, instant, Demand(tight, tuple(sliding), Mode(acting, tuple(guess)), self.kinds))
 
     def _least(self, grip: RoughContact) -> float:
-        """Return the slip that is none: where it is the rate of one coordinate alone that can be exactly zero."""
+        """Return the slip that counts as zero: exactly zero if it is the rate of one coordinate, else `STILL`."""
         return 0.0 if self.curved is None and grip.coordinate >= 0 else STILL
 
     def _is_tight(self, instant: Instant, number: int, rates: Sequence[float]) -> bool:
-        """Return whether a row may act: used up, and not growing.
+        """Return whether a row may act: its length has reached the bound and does not recede.
 
-        What acted until now goes on, however far integration has drifted from it, unless an impact makes it grow.
+        An acting row continues to act despite integration drift, unless an impact makes it recede.
         """
         if self._is_due("force", number):
             return False
@@ -245,36 +245,36 @@ class Settling:
         return instant.spare[number] <= TOUCHING and abs(instant.rates[number]) <= self.still
 
     def _acts(self, number: int) -> bool:
-        """Return whether a row acted until now, so that integration may have left it a little more than nothing."""
+        """Return whether a row acted in the preceding segment, so that integration drift is possible."""
         return bool(self.segments) and self.mode.acting[number]
 
     def _is_due(self, kind: str, number: int) -> bool:
         return bool(self.due) and any(margin.kind == kind and margin.number == number for margin in self.due)
 
     def _pressed(self, instant: Instant, number: int, a: Row) -> bool:
-        """Return whether two bodies that rest against each other are pressed together: hits without number."""
+        """Return whether two bodies in resting contact are pressed together, which would cause infinitely many hits."""
         near = instant.pairs[number]
         if self.phase.stuck[number] or abs(near.rate) > STILL:
             return False
         return near.second(a) < -STILL
 
     def _is_torn(self, instant: Instant, due: Margin, a: Row) -> bool:
-        """Whether a foot that no longer presses comes down at once, now that nothing holds it along its plane either.
+        """Return whether a foot that loses contact would return at once because nothing holds it along its plane.
 
-        It would have to slip before, and how it does that no coefficient says.
+        It would have to slip first, which no coefficient of friction determines.
         """
         if due.kind != "force" or self.kinds[due.number].kind != "foot":
             return False
         return instant.rows[due.number].rate(a) - instant.targets[due.number] > STILL
 
     def append(self, found: Balance, flow: Flow | None) -> None:
-        """Keep how the present segment begins."""
+        """Record the segment that starts at the present state."""
         self.segments.append(Segment(self.now, self.q, self.v, found, tuple(self.kinds), flow))
 
     # -- small things ----------------------------------------------------------------------------
 
     def _unheld(self, instant: Instant) -> tuple[str, ...]:
-        """Return the massless bodies that may be the ones which nothing holds."""
+        """Return the names of the coordinates whose massless bodies may be unsupported."""
         moving = {number for motion in instant.loads.weightless for number, part in enumerate(motion) if part}
         names = [c.name for number, c in enumerate(self.mechanism.coordinates) if number in moving]
         return tuple(names)

@@ -1,4 +1,4 @@
-"""A mechanism as the engine sees it at an instant: numbers of a `Problem`, and how far events are away."""
+"""The numerical equations of a mechanism at an instant, as a `Problem`, and the distances to events."""
 
 import math
 from collections.abc import Mapping
@@ -18,12 +18,12 @@ from sim2reason.simulation.engines.exact.assembly import Assembly
 from sim2reason.simulation.engines.exact.lengths import Phase, RowKind, RowTerms, row_kinds
 from sim2reason.simulation.engines.exact.linear import Gradient, RoughContact, Row, gradient, solve
 
-TOUCHING = 1e-9  # m; two lengths that differ by less are one length
+TOUCHING = 1e-9  # m; lengths with a smaller difference are equal
 
 
 @dataclass(frozen=True, slots=True)
 class Limit:
-    """One end of a coordinate's travel: the room left is `room` + `sign`·q."""
+    """One travel limit of a coordinate; the remaining travel is `room` + `sign`·q."""
 
     coordinate: int
     name: str
@@ -33,7 +33,7 @@ class Limit:
 
 @dataclass(slots=True)
 class Near:
-    """How the two of a meeting stand: gap, its rate, its second derivative at q̈ = 0, and its gradient if it touches."""
+    """A collision pair at an instant: gap, rate, second derivative at q̈ = 0, and the gradient if the bodies touch."""
 
     meeting: Meeting
     gap: float
@@ -52,44 +52,44 @@ class Near:
         return self.bias + sum(part * a[number] for number, part in self.along.items())
 
     def closing(self, size: int, count: int) -> Gradient:
-        """Minus the gradient, over all coordinates and contacts."""
+        """Return the negative gradient of the gap over all coordinates and contacts."""
         along, lift = spread(self.along, size), spread(self.lift, count)
         return gradient([-part for part in along], [-part for part in lift])
 
 
 @dataclass(frozen=True, slots=True)
 class Loads:
-    """Inertia and what is given to act, in the words of a `Problem`."""
+    """The inertia and applied loads of a `Problem`."""
 
     mass: list[Row]
     lifted: list[Row]
     heave: list[Row]
     force: Row
     press: Row
-    weightless: tuple[Row, ...]  # motions that need no force at all: a basis of the null space of `mass`
+    weightless: tuple[Row, ...]  # basis of the null space of `mass`: motions that need no force
 
 
 @dataclass(slots=True)
 class Instant:
-    """All that forces and impulses at one instant depend on."""
+    """The equations of motion at one instant: all that forces and impulses depend on."""
 
     time: float
     q: Row
     v: Row
     loads: Loads
     rows: tuple[Gradient, ...]
-    spare: Row  # what is left until each row acts, m
-    rates: Row  # at which that is used up
+    spare: Row  # distance until each row acts, m
+    rates: Row  # at which this distance shrinks
     targets: Row
     slips: Row  # of each rough contact, m/s
     pairs: tuple[Near, ...]
 
 
 class System:
-    """A mechanism, checked, with what stays the same throughout a motion."""
+    """A validated mechanism with all data that stay constant throughout a motion."""
 
     def __init__(self, mechanism: Mechanism) -> None:
-        """Check and count everything.
+        """Validate the mechanism and index its parts.
 
         Raises:
             UnsupportedError: a rough body slides in two directions, or off the face that it rests on.
@@ -111,7 +111,7 @@ class System:
         check_speeds(mechanism)
 
     def _check_line(self, line: Line) -> float:
-        """Return the length of a line at the start, sites alone."""
+        """Return the initial length of a line between its sites, without wheels."""
         total = 0.0
         for first, last in pairwise(line.through):
             try:
@@ -136,7 +136,7 @@ class System:
 
     @cached_property
     def runs(self) -> dict[tuple[str, str], Distance]:
-        """The straight pieces of lines whose ends move towards or away from each other."""
+        """Return the straight line segments whose ends move towards or away from each other."""
         found: dict[tuple[str, str], Distance] = {}
         for line in self.mechanism.lines:
             if isinstance(line.law, Rigid):
@@ -150,19 +150,19 @@ class System:
 
     @cached_property
     def steady(self) -> dict[tuple[str, str], Triple]:
-        """The straight pieces of lines that never turn, with their directions."""
+        """Return the straight line segments of constant direction, with their directions."""
         return steady(self.mechanism)
 
     @cached_property
     def movable(self) -> tuple[tuple[str, ...], ...]:
-        """The bodies of each meeting that can move."""
+        """Return the movable bodies of each collision pair."""
         return tuple(
             tuple(name for name in meeting.names if self.frames[name].steps) for meeting in self.mechanism.meetings
         )
 
     @cached_property
     def phase(self) -> Phase:
-        """Return what is on at the start: forces whose region the body is in, engines, nothing stuck."""
+        """Return the initial on/off state: regions that contain their body, burning engines, no stuck pairs."""
         inside = tuple(
             tuple(margin > 0.0 for margin in force.region.margins(self.frames.center(force.body).place, math))
             if force.region is not None
@@ -174,7 +174,7 @@ class System:
         return phase._replace(strained=self._strained(phase)) if self.mechanism.half_springs else phase
 
     def _strained(self, phase: Phase) -> tuple[bool, ...]:
-        """Whether each spring that acts one way does so at the start; one that is relaxed, if it will at once."""
+        """Return for each one-sided spring whether it acts at the start, or immediately after if it is relaxed."""
         phase = phase._replace(strained=(False,) * len(self.mechanism.half_springs))
         speeds = [float(coordinate.speed) for coordinate in self.mechanism.coordinates]
         begun = Assembly(self.mechanism, phase, ([0.0] * self.size, speeds, 0.0), math)
@@ -186,14 +186,14 @@ class System:
         return tuple(found)
 
     def kinds(self, phase: Phase) -> list[RowKind]:
-        """Return what the rows are."""
+        """Return the kinds of all constraint rows in a phase."""
         found = self._kinds.get(phase.stuck)
         if found is None:
             found = self._kinds[phase.stuck] = row_kinds(self.mechanism, phase)
         return found
 
     def instant(self, time: float, q: Row, v: Row, phase: Phase) -> Instant:
-        """Return the numbers of one instant; SimulationError is the caller's business where they don't exist."""
+        """Return the numerical equations of one instant; the caller handles arithmetic errors."""
         assembly = Assembly(self.mechanism, phase, (q, v, time), math)
         rows = assembly.rows(self.starts)
         return Instant(
@@ -210,7 +210,7 @@ class System:
         )
 
     def loads(self, assembly: Assembly) -> Loads:
-        """Inertia and loads of an assembly of floats; NumPy's scalars, which are slow and print badly, become such."""
+        """Return the inertia and loads of a numerical assembly, with NumPy scalars converted to floats."""
         mass, lifted, heave = (
             [list(map(float, row)) for row in matrix]
             for matrix in (assembly.full_mass(), assembly.lifted, assembly.heave)
@@ -220,7 +220,7 @@ class System:
         return Loads(mass, lifted, heave, force, press, weightless)
 
     def gradient(self, row: RowTerms) -> Gradient:
-        """Return the gradient of a row."""
+        """Return the dense gradient of a constraint row."""
         return gradient(spread(row.along, self.size), spread(row.lift, self.count))
 
 
@@ -230,7 +230,7 @@ def _near(assembly: Assembly, meeting: Meeting) -> Near:
 
 
 def spread(entries: Mapping[int, Number], size: int) -> Row:
-    """Return a row with the given entries."""
+    """Return a dense row with the given entries."""
     row = [0.0] * size
     for number, part in entries.items():
         row[number] = float(part)

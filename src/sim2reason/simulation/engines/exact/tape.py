@@ -1,8 +1,8 @@
-"""A tape records arithmetic once, so that it can be run many times as straight-line code.
+"""A tape records arithmetic once and compiles it to straight-line code.
 
-Symbols are made by doing arithmetic on them. Constants are folded, and what is computed twice is kept once. Every
-symbol also knows its value at one point, by which a solver may choose its pivots. Numbers become parameters of the
-code, not part of it: mechanisms of one shape share one piece of code.
+Arithmetic on symbols creates new symbols. Constants are folded, and repeated expressions are stored once. Every symbol
+also has its value at one point, by which a solver may choose pivots. Numbers become parameters of the code: mechanisms
+of the same shape share one piece of code.
 """
 
 import math
@@ -16,48 +16,48 @@ from sim2reason.simulation.engines.exact.code import compiled
 
 Node = tuple[str, int, int]
 Said = str | int
-"""A number: how it is written if it belongs to the shape, else its place among all others."""
-KEPT = 128  # shapes whose code is kept, with their nodes
-DEEPEST = 12  # levels of brackets that a line of code may have
-PLAIN = {0.0: "0.0", 1.0: "1.0", -1.0: "-1.0", 2.0: "2.0", 0.5: "0.5"}  # numbers that stand in the code itself
+"""A constant: its text if it is part of the code, else its index among all parameters."""
+KEPT = 128  # number of cached codes, with their nodes
+DEEPEST = 12  # largest depth of brackets in a line of code
+PLAIN = {0.0: "0.0", 1.0: "1.0", -1.0: "-1.0", 2.0: "2.0", 0.5: "0.5"}  # literals in the code
 
 
 class Symbol:
-    """A number that is known only when the code runs."""
+    """A number whose value is known only when the generated code runs."""
 
     __slots__ = ("id", "tape")
 
     def __init__(self, tape: "Tape", number: int) -> None:
-        """The result of the node of that number."""
+        """Create the symbol of the node with the given index."""
         self.tape, self.id = tape, number
 
     @property
     def value(self) -> float:
-        """At the point where the tape stands."""
+        """Return the value at the current point of the tape."""
         return self.tape.values[self.id]
 
     def __add__(self, other: Number) -> Number:
-        """Zero added leaves it as it is."""
+        """Return the sum; adding zero creates no operation."""
         return self if type(other) is float and other == 0.0 else self.tape.commuting("+", self, other)
 
     __radd__ = __add__
 
     def __neg__(self) -> "Symbol":
-        """Return a difference from zero."""
+        """Return the negative."""
         return self.tape.node("neg", self.id, -1)
 
     def __sub__(self, other: Number) -> Number:
-        """Zero taken away leaves it as it is."""
+        """Return the difference; subtracting zero creates no operation."""
         if type(other) is float and other == 0.0:
             return self
         return self.tape.binary("-", self, other)
 
     def __rsub__(self, other: Number) -> Number:
-        """From zero: its negative."""
+        """Return the reversed difference; zero minus the symbol becomes its negative."""
         return -self if type(other) is float and other == 0.0 else self.tape.binary("-", other, self)
 
     def __mul__(self, other: Number) -> Number:
-        """Zero, one and minus one are folded."""
+        """Return the product; factors of zero, one and minus one create no operation."""
         if type(other) is float:
             if other == 0.0:
                 return 0.0
@@ -70,19 +70,19 @@ class Symbol:
     __rmul__ = __mul__
 
     def __truediv__(self, other: Number) -> Number:
-        """Return the quotient; a division by one leaves no operation."""
+        """Return the quotient; division by one creates no operation."""
         return self if type(other) is float and other == 1.0 else self.tape.binary("/", self, other)
 
     def __rtruediv__(self, other: Number) -> Number:
-        """Return the quotient; zero divided by anything leaves no operation."""
+        """Return the reversed quotient; zero divided by the symbol creates no operation."""
         return 0.0 if type(other) is float and other == 0.0 else self.tape.binary("/", other, self)
 
 
 class Tape:
-    """The record; it also is the `maths` of its symbols."""
+    """A record of arithmetic operations, which also provides the elementary functions of its symbols."""
 
     def __init__(self, inputs: Sequence[str]) -> None:
-        """`inputs` name what the code is a function of."""
+        """Start a tape with the named inputs, the arguments of the generated code."""
         self.nodes: list[Node] = []
         self.values: list[float] = []
         self.constants: list[float] = []
@@ -96,13 +96,13 @@ class Tape:
 
     @property
     def inputs(self) -> dict[str, Symbol]:
-        """The symbols of its inputs by name; it keeps none itself, so that it goes as soon as its user does."""
+        """Return the input symbols by name; they are created on each call to avoid a reference cycle."""
         return {name: Symbol(self, number) for number, name in enumerate(self.names)}
 
     # ---- recording
 
     def node(self, operation: str, a: int, b: int) -> Symbol:
-        """Return the symbol of an operation on earlier nodes."""
+        """Return the symbol of an operation on earlier nodes, reusing an equal node."""
         key = (operation, a, b)
         number = self._known.get(key)
         if number is None:
@@ -113,11 +113,11 @@ class Tape:
         return Symbol(self, number)
 
     def binary(self, operation: str, a: Number, b: Number) -> Symbol:
-        """Return an operation on two numbers, one of them a symbol."""
+        """Return the symbol of a binary operation on two numbers, at least one of them a symbol."""
         return self.node(operation, self._id(a), self._id(b))
 
     def commuting(self, operation: str, a: Number, b: Number) -> Symbol:
-        """Return the same for one that does not mind the order."""
+        """Return the symbol of a commutative operation, with its operands in canonical order."""
         one, other = self._id(a), self._id(b)
         return self.node(operation, min(one, other), max(one, other))
 
@@ -131,21 +131,21 @@ class Tape:
         return self.node("constant", self._constant[value], -1).id
 
     def sqrt(self, x: Number) -> Number:
-        """Return the square root."""
+        """Return the square root of a number or symbol."""
         return self.node("sqrt", x.id, -1) if isinstance(x, Symbol) else math.sqrt(x)
 
     def sin(self, x: Number) -> Number:
-        """Return the sine."""
+        """Return the sine of a number or symbol."""
         return self.node("sin", x.id, -1) if isinstance(x, Symbol) else math.sin(x)
 
     def cos(self, x: Number) -> Number:
-        """Return the cosine."""
+        """Return the cosine of a number or symbol."""
         return self.node("cos", x.id, -1) if isinstance(x, Symbol) else math.cos(x)
 
     # ---- values at one point
 
     def stand(self, inputs: Sequence[float]) -> None:
-        """Go to a point: give every symbol its value there, NaN where it has none."""
+        """Evaluate every symbol at a point; NaN if it has no value there."""
         values, nodes, self._stands = self.values, self.nodes, True
         for number, value in enumerate(inputs):
             values[number] = value
@@ -180,10 +180,10 @@ class Tape:
     def code(
         self, outputs: Sequence[Number], guards: Sequence[tuple[Symbol, float]] = ()
     ) -> Callable[[Any], Callable[..., tuple[Any, ...]]]:
-        """Return what gives, for the functions of a kind of number (`math` or `numpy`), the code of `outputs`.
+        """Return the function that compiles the code of `outputs` for one kind of number (`math` or `numpy`).
 
         The code is a function (t, y) of the first input and of a sequence with all others. A guard is a symbol whose
-        size may not fall below a bound: ArithmeticError if it does.
+        absolute value must not fall below a bound; otherwise the code raises ArithmeticError.
         """
         values: dict[float, int] = {}
 
@@ -202,7 +202,7 @@ class Tape:
 
 @dataclass(frozen=True, slots=True)
 class _Code:
-    """Generated code for one shape of equations: where its parameters stand among all constants, and its length."""
+    """Generated code for one shape of equations, with the indices of its parameters and its length."""
 
     make: Callable[..., Any]
     parameters: tuple[int, ...]
@@ -219,7 +219,7 @@ def _written(
 ) -> _Code:
     """Generate the code of a tape with its constants as parameters, so that mechanisms of one shape share it.
 
-    Outputs and guards are nodes with a number; an output that is no node is numbered −1.
+    Outputs and guards are nodes with a number; an output that is no node has the index −1.
     """
     writer = _Writer(names, nodes, constants, [node for node, _ in (*outputs, *guards) if node >= 0])
     lines = [f"{', '.join(names[1:])}, = y"] if len(names) > 1 else []
@@ -234,7 +234,7 @@ def _written(
 
 
 class _Writer:
-    """Writes the nodes that some outputs need, in order; what is used once stands where it is used."""
+    """Writer of the nodes that some outputs need, in order; nodes used only once are written inline."""
 
     def __init__(
         self, names: Sequence[str], nodes: Sequence[Node], constants: Sequence[Said], outputs: Sequence[int]
@@ -284,14 +284,14 @@ class _Writer:
         self._text[number] = (name, 0)
 
     def name(self, number: int) -> str:
-        """Return how a node is written."""
+        """Return the text of a node."""
         return self._text[number][0]
 
     def constant(self, number: Said) -> str:
-        """Return how a number is written: itself if it belongs to the shape, else as a parameter."""
+        """Return the text of a constant: literal if it belongs to the shape, else a parameter."""
         return number if isinstance(number, str) else self.parameters.setdefault(number, f"c{len(self.parameters)}")
 
 
 def value_of(number: Number) -> float:
-    """Return the value of a number, symbol or not."""
+    """Return the value of a number or symbol as a float."""
     return number.value if isinstance(number, Symbol) else float(cast("float", number))

@@ -1,11 +1,11 @@
-"""The MuJoCo engine: the same mechanism through another program, as a witness.
+"""The MuJoCo engine: an independent simulation of the same mechanism, used to check the exact engine.
 
-`specification` writes the mechanism down for MjSpec and `compiled_model` compiles it: they talk to the library.
-`balance` lets its solver find forces and impulses free of the softness of its constraints; `forces` reads from them
-what is taut, sticks or slides; `event_detection` foresees events; `engine` goes from event to event in steps of RK4;
-`record` keeps what the steps leave. `changing_equations` does the same for mechanisms that the library's own
-constraints cannot keep. `own_units` first converts very light mechanisms to other units. The library is loaded when
-the first mechanism is simulated.
+`specification` describes the mechanism for MjSpec and `compiled_model` compiles it: both call MuJoCo.
+`balance` uses its solver to find forces and impulses without the softness of its constraints; `forces` derives from
+them the taut strings and the sticking or sliding contacts; `event_detection` predicts events; `engine` advances from
+event to event in steps of RK4; `record` stores the steps. `changing_equations` does the same for mechanisms that
+MuJoCo's own constraints cannot represent. `own_units` first converts very light mechanisms to other units. MuJoCo is
+imported when the first mechanism is simulated.
 """
 
 from importlib import import_module
@@ -24,7 +24,7 @@ __all__ = ["simulate"]
 
 @ENGINES.register("mujoco")
 def simulate(mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> Trace:
-    """By MuJoCo's model and solver, as a second witness: the motion at `times` (m,).
+    """Simulate a mechanism with MuJoCo's model and solver, as an independent check: the motion at `times` (m,).
 
     Times are in seconds, increasing from 0; its tolerance is its own.
 
@@ -47,7 +47,7 @@ def simulate(mechanism: Mechanism, times: Array, tolerance: float = FINEST) -> T
 
 
 def is_simple(mechanism: Mechanism) -> bool:
-    """Return whether the library's own constraints can stand for all that acts."""
+    """Return whether MuJoCo's own constraints can represent all constraints of a mechanism."""
     plain = all(
         isinstance(line.law, ConstantTension) or line.law == Inextensible(_slack(line)) for line in mechanism.lines
     )

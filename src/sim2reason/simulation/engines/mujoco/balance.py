@@ -1,10 +1,11 @@
-"""Forces, and impulses, that MuJoCo's own solver finds, freed of the softness of its constraints.
+"""Forces and impulses from MuJoCo's solver, corrected for the softness of its constraints.
 
 The solver gives a constraint the acceleration K·overlap − B·rate − R·force. So the limit of a string under
-tension must be overstepped a little, by R·f/K, and a body that friction holds must creep, at −R·f/B, or the
-acceleration is wrong; once it is known to stick, an equality locks it instead, and nothing creeps. All this
-is found by iteration: solve, shift limits and speeds by what the forces say, solve again. Each turn shrinks
-the error by about R, 1e-5. A sliding contact's force is µN, N from the turn before.
+tension must be overstepped slightly, by R·f/K, and a body held by friction must creep, at −R·f/B, or the
+acceleration is wrong; once a contact is known to stick, an equality constraint locks it instead. The
+corrections are found by iteration: solve, shift limits and speeds according to the forces, solve again. Each
+iteration reduces the error by a factor of about R, 1e-5. The force of a sliding contact is µN, with N from the
+previous iteration.
 """
 
 from dataclasses import dataclass
@@ -15,24 +16,24 @@ from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.compiled_model import CompiledModel, Flags, Integers
 
-TURNS = 24
-ROUNDS = 60
-PATIENT = 30  # rounds, after which forces too small to matter may go on changing
-CLOSE = 1e-10  # of the largest force: forces that differ by less are the same
-EQUAL = 1e-7  # the same where they are not unique
-LEAST = 1e-12  # m; an overlap that still makes a row
+TURNS = 24  # largest number of iterations of overlaps and creep
+ROUNDS = 60  # largest number of iterations of the normal forces behind the friction
+PATIENT = 30  # rounds after which small forces may keep changing
+CLOSE = 1e-10  # fraction of the largest force: smaller differences count as equal
+EQUAL = 1e-7  # the same for forces that are not unique
+LEAST = 1e-12  # m; an overlap that still creates a constraint row
 
 
 @dataclass(frozen=True)
 class ForceDemand:
-    """What may act at an instant."""
+    """The constraints that may act at an instant, and the applied loads."""
 
     q: Array
     v: Array
     strings: Flags  # those that are just straight
     pairs: Flags  # those that touch
     sliding: Array  # of each contact: ±1 if it slides, else 0
-    locked: Flags  # contacts known to stick; the friction of the others that do not slide has its limit
+    locked: Flags  # contacts known to stick; other contacts that do not slide have a friction limit
     applied: Array  # joint forces, N
     targets: Array  # of each slot: the least acceleration at which its gap opens, m/s²
     normal: Array | None = None  # a first guess of the normal forces, N
@@ -40,7 +41,7 @@ class ForceDemand:
 
 @dataclass(frozen=True)
 class ForceBalance:
-    """What acts."""
+    """The accelerations and constraint forces that balance at an instant."""
 
     a: Array
     forces: Array  # by slot, N
@@ -48,7 +49,7 @@ class ForceBalance:
 
 
 def balance(model: CompiledModel, demand: ForceDemand) -> ForceBalance:
-    """Solve for all forces.
+    """Compute all constraint forces and the accelerations.
 
     Raises:
         SimulationError: friction and normal forces drive each other without end.
@@ -73,7 +74,7 @@ def balance(model: CompiledModel, demand: ForceDemand) -> ForceBalance:
 
 
 def _mixed(history: list[tuple[Array, Array]]) -> Array:
-    """Anderson's mixing: the best next guess if the change depends linearly on the guess, as it does."""
+    """Return Anderson's mixing of previous iterates: the next guess of a nearly linear fixed-point iteration."""
     guess, change = history[-1]
     if len(history) == 1:
         return guess + change
@@ -116,7 +117,7 @@ def _same(a: ForceBalance, b: ForceBalance, close: float) -> bool:
 
 
 def _corrected(model: CompiledModel, demand: ForceDemand, found: ForceBalance, limits: Array) -> tuple[Array, Array]:
-    """Overlaps and creep under which the forces found need no acceleration beyond the targets."""
+    """Return the overlaps and creep for which the given forces cause no acceleration beyond the targets."""
     overlap = np.full(model.slots, LEAST)
     if not len(found.rows):
         return overlap, np.zeros(model.size)

@@ -1,4 +1,4 @@
-"""The compiled mechanism behind a narrow typed face: what the rest of the engine knows of MuJoCo."""
+"""The compiled mechanism behind a narrow typed interface, the only access of the engine to MuJoCo."""
 
 from typing import Any, NamedTuple
 
@@ -16,12 +16,12 @@ __all__ = ["STEP", "TINY", "CompiledModel", "Flags", "Integers", "Softness"]
 Integers = NDArray[np.intp]
 Flags = NDArray[np.bool_]
 
-LOAD = 5_000  # operations that it costs to find the forces of a state
-SOFTNESS = 1e-5  # of a constraint, relative to the inverse of the largest mass
+LOAD = 5_000  # operations to compute the forces of a state
+SOFTNESS = 1e-5  # fraction of a constraint, relative to the inverse of the largest mass
 
 
 class Softness(NamedTuple):
-    """Of each row that acts: rate' = stiffness·overlap − damping·rate − R·force is what the library enforces."""
+    """MuJoCo's soft-constraint parameters of each active row: rate' = stiffness·overlap − damping·rate − R·force."""
 
     gradient: Array  # (rows, joints)
     regularisation: Array  # (rows,), 1/kg
@@ -30,7 +30,7 @@ class Softness(NamedTuple):
 
 
 class CompiledModel:
-    """The compiled model and its state; what is slow to look up is kept in arrays.
+    """The compiled MuJoCo model and its state, with frequently used data kept in arrays.
 
     A *slot* numbers what can act: first the strings, then the collisions, then the faces, then the friction
     of each contact. `q` and `v` here have one entry per joint of the library, `coordinates` picks those of
@@ -38,7 +38,7 @@ class CompiledModel:
     """
 
     def __init__(self, mechanism: Mechanism) -> None:
-        """Compile; SimulationError for what the library refuses."""
+        """Compile the mechanism; raise SimulationError if MuJoCo rejects it."""
         self.mechanism = mechanism
         self.budget = Budget(2 * OPERATIONS)
         spec = Specification(mechanism)
@@ -72,7 +72,7 @@ class CompiledModel:
         self._begin(spec)
 
     def _number_rows(self) -> NDArray[np.intp]:
-        """Slots by the library's type of constraint and number of joint or tendon."""
+        """Return the slots by MuJoCo's type of constraint and index of the joint or tendon."""
         most = max(self.size, int(self._model.ntendon), int(self._model.neq), 1)
         table = np.zeros((16, most), dtype=np.intp)
         kinds = mujoco.mjtConstraint
@@ -84,7 +84,7 @@ class CompiledModel:
         return table
 
     def _begin(self, spec: Specification) -> None:
-        """Read the gradients at the start, and give the constraints one softness."""
+        """Read the initial gradients and give all constraints the same softness."""
         model, data = self._model, self._data
         mujoco.mj_forward(model, data)
         self.mass: Array = np.zeros((self.size, self.size))
@@ -115,7 +115,7 @@ class CompiledModel:
         self._model.wrap_prm[first : first + count] = gradient[joints]
 
     def _tendon_gradients(self) -> Array:
-        """Return the library's own gradient of every tendon's length, (tendons, joints)."""
+        """Return MuJoCo's gradient of every tendon's length, (tendons, joints)."""
         model, data = self._model, self._data
         dense = np.zeros((int(model.ntendon), self.size))
         for number in range(int(model.ntendon)):
@@ -126,13 +126,13 @@ class CompiledModel:
     # ---- geometry at the start, for what watches for events
 
     def site(self, name: str) -> tuple[Array, Array]:
-        """Return where a site stands, (3,), and how it moves with the joints, (3, joints)."""
+        """Return the position of a site, (3,), and its Jacobian, (3, joints)."""
         number, jacobian = self._sites[name], np.zeros((3, self.size))
         mujoco.mj_jacSite(self._model, self._data, jacobian, None, number)
         return np.array(self._data.site_xpos[number]), jacobian
 
     def center(self, name: str) -> tuple[Array, Array]:
-        """Return the same for a body's centre of mass."""
+        """Return the position of a body's centre of mass, (3,), and its Jacobian, (3, joints)."""
         number, jacobian = self._bodies[name], np.zeros((3, self.size))
         mujoco.mj_jacBodyCom(self._model, self._data, jacobian, None, number)
         return np.array(self._data.xipos[number]), jacobian
@@ -140,14 +140,14 @@ class CompiledModel:
     # ---- what acts
 
     def stand(self, q: Array) -> None:
-        """Take the lengths of all strings and gaps at `q` as those at which they are full and closed."""
+        """Define the present lengths of strings and gaps at `q` as their limits."""
         self._data.qpos[:] = q
         mujoco.mj_fwdPosition(self._model, self._data)
         self._lengths = np.array(self._data.ten_length)
         self._heights, self._places = np.array(q[self.faces]), np.array(q[self.rubs])
 
     def overlap(self, overlaps: Array) -> None:
-        """Shift every limit, by slot, so that it is overstepped by this much, m, where `stand` was told of."""
+        """Shift the limit of every slot so that it is overstepped by this distance, m, at the state set by `stand`."""
         ranges = self._model.tendon_range
         ranges[self.tendons, 1] = self._lengths[self.tendons] - overlaps[self.strings]
         ranges[self.pairs, 1] = self._lengths[self.pairs] - overlaps[self.hits]
@@ -155,12 +155,12 @@ class CompiledModel:
         self._model.eq_data[self.locks, 0] = self._places + overlaps[self.grips]
 
     def aim(self, gradients: Array) -> None:
-        """Give the pairs the gradients of their gaps, (pairs, joints)."""
+        """Set the gradients of the gaps of the pairs, (pairs, joints)."""
         for tendon, gradient in zip(self.pairs, gradients, strict=True):
             self._fill(int(tendon), -gradient)
 
     def arm(self, strings: Flags, pairs: Flags, locked: Flags, limits: Array, applied: Array) -> None:
-        """Say which strings, pairs and locks may act, the friction limit of each contact, and further forces, N."""
+        """Set which strings, pairs and locks may act, the friction limit of each contact, and applied forces, N."""
         model = self._model
         model.tendon_limited[self.tendons] = strings
         model.tendon_limited[self.pairs] = pairs
@@ -169,21 +169,21 @@ class CompiledModel:
         self._data.qfrc_applied[:] = applied
 
     def loads(self, *, on: bool) -> None:
-        """Switch gravity and pulls on or off; an impact has no time to notice them."""
+        """Switch gravity and pulls on or off; impacts are computed without them."""
         self._model.opt.gravity[:] = self.mechanism.gravity if on else 0.0
         self._data.ctrl[:] = [-pull if on else 0.0 for pull in self.pulls]
 
     # ---- motion
 
     def load(self, q: Array, v: Array) -> None:
-        """Go to a state and let the library find accelerations and forces there."""
+        """Set a state and compute its accelerations and forces with MuJoCo."""
         self.budget.spend(LOAD)
         self._data.qpos[:] = q
         self._data.qvel[:] = v
         mujoco.mj_forward(self._model, self._data)
 
     def step(self, duration: float) -> None:
-        """One step of RK4."""
+        """Advance by one step of RK4."""
         self.budget.spend(5 * LOAD)
         self._model.opt.timestep = duration
         mujoco.mj_RungeKutta(self._model, self._data, 4)
@@ -191,26 +191,26 @@ class CompiledModel:
 
     @property
     def q(self) -> Array:
-        """Joint positions, m or rad."""
+        """Return the joint positions, m or rad."""
         return np.array(self._data.qpos)
 
     @property
     def v(self) -> Array:
-        """Joint velocities."""
+        """Return the joint velocities, m/s or rad/s."""
         return np.array(self._data.qvel)
 
     @property
     def a(self) -> Array:
-        """Joint accelerations."""
+        """Return the joint accelerations, m/s² or rad/s²."""
         return np.array(self._data.qacc)
 
     @property
     def lengths(self) -> Array:
-        """Of the tendons through the sites of strings and pulls, m, less those at the start."""
+        """Return the changes of the lengths of strings and pulls since the start, m."""
         return np.array(self._data.ten_length)[self.paths] - self.start[self.paths]
 
     def rows(self) -> Integers:
-        """Return the slot of each constraint row that acts now."""
+        """Return the slot of each constraint row that acts at present."""
         data = self._data
         return self._slot_of_row[data.efc_type[: data.nefc], data.efc_id[: data.nefc]]
 
@@ -221,14 +221,14 @@ class CompiledModel:
         return found
 
     def softness(self) -> Softness:
-        """Return what the library makes of its constraints now."""
+        """Return MuJoCo's parameters of the present constraint rows."""
         data, count = self._data, int(self._data.nefc)
         gradient = np.array(data.efc_J).ravel()[: count * self.size].reshape(count, self.size)
         law = np.array(data.efc_KBIP).reshape(-1, 4)[:count]
         return Softness(gradient, np.array(data.efc_R[:count]), law[:, 0] * law[:, 2], law[:, 1])
 
     def check(self) -> None:
-        """Raise SimulationError if the library has warned, or lost its numbers."""
+        """Raise SimulationError if MuJoCo has issued a warning or computed non-finite numbers."""
         if np.any(self._data.warning.number):
             kinds = [str(mujoco.mjtWarning(k).name) for k in np.flatnonzero(self._data.warning.number)]
             raise SimulationError(f"MuJoCo warns of {', '.join(kinds)}; the scene may be too stiff or too fast for it")

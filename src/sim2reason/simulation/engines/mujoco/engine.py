@@ -1,4 +1,4 @@
-"""The loop of the MuJoCo engine: impacts, forces, steps until the next event, and again."""
+"""The main loop of the MuJoCo engine: impacts, forces, and steps to the next event."""
 
 from math import inf
 
@@ -13,20 +13,20 @@ from sim2reason.simulation.engines.mujoco.forces import Settled, SoftMode, settl
 from sim2reason.simulation.engines.mujoco.record import Recorder
 from sim2reason.simulation.trace import EVENT_KINDS, Event, Trace
 
-SEGMENTS = 500
-STEPS = 100_000
-CLOSER = 20  # times that a step is shortened to end where bodies meet
-CROWD = 5e-3  # s; a body that is hit again, or a string that jerks again, sooner has too much happen at once
-TIE = 1e-9  # s; events that are no further apart are simultaneous
-TOGETHER = 1e-7  # s; the same of ends of the motion, as lengths are known to 1e-8 m and may change slowly
-REST = 1e-8  # m/s or rad/s; what rounding leaves of a speed that is zero
-SHORT = 1e-7  # s; how long before two sites meet the last step ends, since there a string has no direction
-STEADY = 1e-4  # of the largest load; forces are constant between events
-ORDER = {kind: place for place, kind in enumerate(EVENT_KINDS)}  # of simultaneous events
+SEGMENTS = 500  # largest number of motion segments
+STEPS = 100_000  # largest number of steps
+CLOSER = 20  # times that a step is shortened to end at a contact
+CROWD = 5e-3  # s; repeated impacts of one body, or jerks of one string, within this time end the motion
+TIE = 1e-9  # s; events closer than this are simultaneous
+TOGETHER = 1e-7  # s; the same for ends of the motion, as lengths are known to 1e-8 m and may change slowly
+REST = 1e-8  # m/s or rad/s; residual round-off of a speed that is zero
+SHORT = 1e-7  # s; the last step ends this long before two sites coincide, as a string has no direction there
+STEADY = 1e-4  # fraction of the largest load; forces are constant between events
+ORDER = {kind: place for place, kind in enumerate(EVENT_KINDS)}  # rank of simultaneous events
 
 
 def run(mechanism: Mechanism, times: Array) -> Trace:
-    """Return the motion at `times` (m,), in seconds, increasing from 0; see the package for errors."""
+    """Return the motion at `times` (m,), in seconds, increasing from 0; raises as `simulate` of the package does."""
     motion = SoftMotion(mechanism, float(times[-1]))
     while motion.advance():
         if motion.segments > SEGMENTS:
@@ -37,10 +37,10 @@ def run(mechanism: Mechanism, times: Array) -> Trace:
 
 
 class SoftMotion:
-    """A motion in the making."""
+    """A motion under construction, extended from event to event."""
 
     def __init__(self, mechanism: Mechanism, duration: float) -> None:
-        """Compile the mechanism, and stand at its start."""
+        """Compile the mechanism and set its initial state."""
         self.mechanism, self.duration = mechanism, duration
         self.model = CompiledModel(mechanism)
         self.detector = EventDetector(self.model)
@@ -56,7 +56,7 @@ class SoftMotion:
         self.segments, self.steps, self.cut = 0, 0, ""
 
     def advance(self) -> bool:
-        """Go on to just before the next event; False at the end."""
+        """Advance to just before the next event; return False at the end."""
         self.v[np.abs(self.v) < REST] = 0.0
         snapped = self._impact()
         if self.cut:
@@ -74,7 +74,7 @@ class SoftMotion:
     # ---- impacts
 
     def _impact(self) -> Flags:
-        """Let what meets bounce and what is full jerk; gives the strings that snapped taut."""
+        """Compute all impacts and jerks at an instant; return which strings became taut with a jerk."""
         zero = np.zeros(self.model.size)
         strings = self.detector.strings(self.q, self.v, zero)
         snapped = (strings.value <= TOUCHING) & (strings.rate < -STILL)
@@ -106,7 +106,7 @@ class SoftMotion:
         return [name for name in pair.names if self.model.center(name)[1].any()]
 
     def _crowded(self, hits: Integers, snapped: Integers) -> bool:
-        """End at the earlier hit if a body is hit again too soon, or at the earlier jerk of a string."""
+        """End the motion at the earlier hit if a body is hit again too soon, or at the earlier jerk of a string."""
         recent = [self.hits[name] for number in hits for name in self._movable(int(number)) if name in self.hits]
         recent += [self.jerks[int(number)] for number in snapped if int(number) in self.jerks]
         early = min((hit for hit in recent if TIE < self.now - hit[0] < CROWD), default=None)
@@ -154,7 +154,7 @@ class SoftMotion:
     # ---- motion
 
     def _travel(self, settled: Settled) -> bool:
-        """Step to the next event; False at the end."""
+        """Step to the next event; return False at the end."""
         self._note_forces(settled)
         a = settled.balance.a
         while True:
@@ -176,7 +176,7 @@ class SoftMotion:
             self._note_step(settled, a)
 
     def _step(self, duration: float) -> None:
-        """Step once, no further than to where bodies meet, if a curved approach was foreseen a little wrong."""
+        """Advance by one step, shortened to the contact of bodies if a curved approach was predicted inexactly."""
         q, v, now = self.model.q, self.model.v, self.now
         for _ in range(CLOSER):
             self.model.step(duration)
@@ -225,7 +225,7 @@ class SoftMotion:
         self.record.add(self.now, np.concatenate([q[n], v[n], a[n]]), shown)
 
     def _note_turns(self, before: Array, time: float) -> None:
-        """Speeds of joints without friction that pass through zero within a step."""
+        """Record the instants within a step at which speeds of frictionless joints pass through zero."""
         n = len(self.mechanism.coordinates)
         old, new = before[n : 2 * n], self.record.motion[-1][n : 2 * n]
         rough = set(self.model.rubs[self.model.friction > 0.0])

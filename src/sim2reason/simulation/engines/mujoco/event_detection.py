@@ -1,9 +1,9 @@
-"""What is watched for between events, and when it comes: margins that are used up as bodies move.
+"""Detection of events between impacts, by margins that decrease to zero as bodies move.
 
-Gradients are the library's own, taken once: in a mechanism whose strings do not bend they never change.
-Each margin is taken as a quadratic of time from its value, rate and second derivative now. That is exact but
-for pairs that meet in two dimensions under unequal accelerations; then the step to the foreseen instant falls
-a little short, and the next one closes in.
+Gradients are MuJoCo's own, computed once: in a mechanism whose strings do not bend they are constant.
+Each margin is extrapolated as a quadratic function of time from its value, rate and second derivative. This is exact
+except for pairs that collide in two dimensions under unequal accelerations; then the step to the predicted instant
+ends slightly early, and the next one approaches it.
 """
 
 from math import inf
@@ -16,24 +16,24 @@ from sim2reason.scenes.dsl.mechanism import Inextensible, Line
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.compiled_model import CompiledModel, Flags
 
-TOUCHING = 1e-8  # m; less is no distance
-STILL = 1e-7  # m/s or m/s²; less is no speed, what rounding and the solver's tolerance leave
-STRAIGHT = 1e-18  # m²/s² or m²/s⁴; of what is square to the line of centres: nothing
-DEPTH = 1e-11  # m; bodies that overlap by less only touch
-NEARLY = 1e-5  # m; sites that are nearer than that may be about to meet
-BENT = 1e-6  # m; by how much a string's length may differ from that of a straight one
-MOVES = 1e-9  # an entry of a gradient that is not rounding
+TOUCHING = 1e-8  # m; smaller distances count as contact
+STILL = 1e-7  # m/s or m/s²; slower motion counts as rest: round-off and the solver's tolerance
+STRAIGHT = 1e-18  # m²/s² or m²/s⁴; smaller components perpendicular to the line of centres count as zero
+DEPTH = 1e-11  # m; bodies with a smaller overlap only touch
+NEARLY = 1e-5  # m; sites that are closer may be about to coincide
+BENT = 1e-6  # m; largest difference between a string's length and that of a straight one
+MOVES = 1e-9  # smaller entries of a gradient are round-off
 
 
 class Margins(NamedTuple):
-    """Values, rates and second derivatives; all (k,)."""
+    """Event margins with their rates and second derivatives, (k,) each."""
 
     value: Array
     rate: Array
     second: Array
 
     def used_up(self) -> Array:
-        """Return when each margin is used up next, s from now; infinity for never."""
+        """Return the time until each margin reaches zero, s; infinity if it never does."""
         f, b, c = self
         near = f <= TOUCHING
         root = np.sqrt(np.maximum(b * b - 2.0 * c * f, 0.0))
@@ -47,18 +47,18 @@ class Margins(NamedTuple):
 
 
 class Encounter(NamedTuple):
-    """How the pairs that may collide move: separations (p, 3), their rates, and how they depend on the joints."""
+    """The relative motion of the pairs that may collide: separations (p, 3), their rates and Jacobians."""
 
     apart: Array
     velocity: Array
     acceleration: Array
-    distance: Array  # at which they touch, (p,)
+    distance: Array  # of the centres at contact, (p,)
 
     @property
     def gaps(self) -> Margins:
-        """The gaps; exact quadratics of time on a line, and in the plane if the relative velocity is constant.
+        """Return the gaps as margins: exact quadratics of time on a line, or in a plane at constant relative velocity.
 
-        In the plane the gap is not a quadratic, but (|D|² − d²)/2d is; it has the same zero, and rate there.
+        In a plane the gap is not quadratic, but (|D|² − d²)/2d is; it has the same zero, and the same rate there.
         """
         d, w, g, r = self.apart, self.velocity, self.acceleration, np.linalg.norm(self.apart, axis=1)
         along, pull = (d * w).sum(axis=1), (d * g).sum(axis=1)
@@ -72,10 +72,10 @@ class Encounter(NamedTuple):
 
 
 class EventDetector:
-    """The margins of one mechanism."""
+    """The event margins of one mechanism."""
 
     def __init__(self, model: CompiledModel) -> None:
-        """Read the geometry of the start.
+        """Read the initial geometry.
 
         Raises:
             SceneError: two sites of a string coincide, or two bodies overlap.
@@ -134,15 +134,15 @@ class EventDetector:
                 raise SceneError(pair.names[0], f"it overlaps {pair.b} at the start", "move them apart")
 
     def finish(self, q: Array, v: Array, a: Array) -> Margins:
-        """Return what is left until each of the `ends`."""
+        """Return the margins of the events that end the motion."""
         return Margins(self._offsets + self._ends @ q, self._ends @ v, self._ends @ a)
 
     def strings(self, q: Array, v: Array, a: Array) -> Margins:
-        """Return what each string may still lengthen."""
+        """Return the margins of the strings: the distances by which they may still lengthen."""
         return Margins(self.slack - self._strings @ q, -self._strings @ v, -self._strings @ a)
 
     def approach(self, q: Array, v: Array, a: Array) -> Encounter:
-        """Return how the pairs stand and move."""
+        """Return the relative motion of the collision pairs."""
         return Encounter(self._apart + self._moves @ q, self._moves @ v, self._moves @ a, self._distance)
 
     def closing(self, q: Array) -> Array:
@@ -152,7 +152,7 @@ class EventDetector:
         return np.einsum("pi,pij->pj", unit, self._moves)
 
     def next_change(self, q: Array, v: Array, a: Array, loose: Flags, sliding: Array) -> float:
-        """Return the time until a string is full, a pair meets, or a rough contact stops sliding."""
+        """Return the time until a string becomes taut, a pair collides, or a rough contact stops sliding, s."""
         soonest = inf
         if loose.any():
             soonest = float(self.strings(q, v, a).used_up()[loose].min())
@@ -162,7 +162,7 @@ class EventDetector:
         return min(soonest, float(_stops(sliding * v[rubs], sliding * a[rubs]).min(initial=inf)))
 
     def too_far(self, q: Array, v: Array, duration: float) -> float:
-        """By how much a step of this duration ends too late, s, since two bodies overlap; 0 if none do."""
+        """Return the time by which a step of this duration ends too late, s, as two bodies overlap; 0 if none do."""
         if not len(self._distance):
             return 0.0
         gaps = self.approach(q, v, np.zeros(len(v))).gaps
@@ -173,9 +173,9 @@ class EventDetector:
         return depth / -rate if 0.0 < depth < -rate * duration else 0.5 * duration
 
     def bent(self) -> bool:
-        """Return whether a string through its sites is not as long as the gradients of the start say.
+        """Return whether a string is longer than its initial gradient predicts, so that it bends over a site.
 
-        What has come within a hair of its end is not looked at: there a run may have passed through nothing.
+        Strings about to end are skipped, since one of their segments may have passed through zero length.
         """
         model = self._model
         if np.all(np.abs(model.lengths - model.bare @ model.q) <= BENT):
@@ -184,7 +184,7 @@ class EventDetector:
 
 
 def slack_of(line: Line) -> float:
-    """Return what a string has to spare at the start."""
+    """Return the initial slack of a string, m."""
     return line.law.slack if isinstance(line.law, Inextensible) else 0.0
 
 

@@ -1,7 +1,7 @@
 """The midpoint rule, extrapolated to steps of zero length (Gragg, Bulirsch, Stoer).
 
-E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I (1993), section II.9. Another method than
-that of the exact engine, so that one can't repeat the other's errors.
+E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I (1993), section II.9. The method differs
+from that of the exact engine, so that the engines do not share errors.
 """
 
 from collections.abc import Callable
@@ -11,15 +11,15 @@ import numpy as np
 
 from sim2reason.scenes.dsl.state import Array
 
-SEQUENCE = (2, 4, 6, 8)  # substeps
-FEWEST = 1  # the first of them after which a step may be accepted
-SAFETY, LEAST, MOST = 0.85, 0.1, 2.0
+SEQUENCE = (2, 4, 6, 8)  # numbers of substeps
+FEWEST = 1  # index of the first of them after which a step may be accepted
+SAFETY, LEAST, MOST = 0.85, 0.1, 2.0  # safety factor, smallest and largest ratio of successive steps
 
 Rate = Callable[[float, Array], Array]
 
 
 class Extrapolated(NamedTuple):
-    """Where a step ends, its error relative to the tolerance, and by how much the next one may be longer."""
+    """The values at the end of a step, its error relative to the tolerance, and the ratio for the next step size."""
 
     values: Array
     error: float
@@ -27,7 +27,7 @@ class Extrapolated(NamedTuple):
 
 
 def extrapolated(rate: Rate, time: float, values: Array, first: Array, h: float, tolerance: float) -> Extrapolated:
-    """Return a step of `h` from `values`, at which the rate is `first`; its order is as high as the tolerance asks."""
+    """Compute a step of size `h` from `values`, where the rate is `first`, with the order required by the tolerance."""
     table: list[Array] = []
     error = 0.0
     for column, substeps in enumerate(SEQUENCE):
@@ -47,7 +47,7 @@ def extrapolated(rate: Rate, time: float, values: Array, first: Array, h: float,
 
 
 def _midpoint(rate: Rate, time: float, values: Array, first: Array, h: float, substeps: int) -> Array:
-    """Without Gragg's smoothing at the end: with an even number of substeps the error is even in them as it is."""
+    """Return the result of the midpoint rule without Gragg's final smoothing, which an even number needs not."""
     step = h / substeps
     before, here = values, values + step * first
     for number in range(1, substeps):

@@ -1,4 +1,4 @@
-"""What acts at an instant, decided by MuJoCo's solver: which strings pull, which contacts stick or slide."""
+"""Taut strings and sticking or sliding contacts at an instant, decided by MuJoCo's solver."""
 
 from dataclasses import dataclass, replace
 from typing import NamedTuple
@@ -10,14 +10,14 @@ from sim2reason.simulation.engines.mujoco.balance import ForceBalance, ForceDema
 from sim2reason.simulation.engines.mujoco.compiled_model import TINY, CompiledModel, Flags
 from sim2reason.simulation.engines.mujoco.event_detection import STILL, TOUCHING, EventDetector
 
-SCALE = 1e-3  # an impact is solved for a thousandth of its velocities, so that no overlap is large
-FAINT = 1e-7  # of the largest load: no tension
-START = 1e-4  # m/s²; a contact at rest begins to slide only faster
-LIFT = 1e-6  # of the largest speed: a face is left, and a contact slides on after an impact, only faster
+SCALE = 1e-3  # an impact is solved at a thousandth of its velocities, so that overlaps stay small
+FAINT = 1e-7  # fraction of the largest load: smaller tensions count as zero
+START = 1e-4  # m/s²; a contact at rest begins to slide only above this acceleration
+LIFT = 1e-6  # fraction of the largest speed: a face separates, or a contact slides after an impact, only above this
 
 
 class SoftMode(NamedTuple):
-    """Which strings are taut, and how each contact rubs: 0 sticks or is smooth, ±1 slides to that side."""
+    """The contact mode: which strings are taut, and how each contact rubs: 0 sticks or is smooth, ±1 slides."""
 
     taut: Flags
     rubbing: Array
@@ -25,17 +25,17 @@ class SoftMode(NamedTuple):
 
 @dataclass(frozen=True)
 class Settled:
-    """The mode of a stretch of time, the forces in it, and what is wrong with it, if anything is."""
+    """The contact mode of a motion segment with its forces and the reasons that end the motion, if any."""
 
     mode: SoftMode
     balance: ForceBalance
     undetermined: Flags  # by slot
-    lifted: tuple[int, ...]  # contacts that leave their face
-    loose: bool  # a massless part that nothing holds
+    lifted: tuple[int, ...]  # contacts that separate from their face
+    loose: bool  # whether nothing holds some massless part
 
 
 def settle(model: CompiledModel, detector: EventDetector, q: Array, v: Array, taut: Flags) -> Settled:
-    """Find the mode and the forces at a state between impacts.
+    """Compute the contact mode and the forces at a state between impacts.
 
     `taut` are the strings that were so, or have just become so: they remain so under no tension while nothing
     moves their ends together. Raises SimulationError if no forces are found.
@@ -66,10 +66,10 @@ def _demand(model: CompiledModel, q: Array, v: Array, strings: Flags, sliding: A
 def _decide(
     model: CompiledModel, demand: ForceDemand, start: float, faint: float, *, impact: bool = False
 ) -> tuple[ForceDemand, ForceBalance]:
-    """Let the solver say what pulls and slides, and solve again with that alone.
+    """Decide which strings pull and which contacts slide by MuJoCo's solver, then solve for these alone.
 
     A contact at rest slides if its friction is at its limit and it accelerates by more than `start`; a string
-    pulls with more than `faint`, but in an impact all may: no jerk is small enough to be left out.
+    pulls with more than `faint`, but in an impact every string may pull, since no jerk is negligible.
     """
     first = balance(model, demand)
     pulling = demand.strings & ((first.forces[model.strings] > faint) | impact)
@@ -90,9 +90,9 @@ def _decide(
 
 
 def strike(model: CompiledModel, detector: EventDetector, q: Array, v: Array) -> tuple[Array, tuple[int, ...]]:
-    """Return the velocities just after an impact, and the contacts that it lifts off their faces.
+    """Return the velocities just after an impact, and the contacts that separate from their faces.
 
-    The solver sees impulses as forces, and velocities as accelerations from M·v, with neither gravity nor pulls.
+    The solver treats impulses as forces, and velocities as accelerations from M·v, with neither gravity nor pulls.
     """
     zero = np.zeros(model.size)
     full = detector.strings(q, v, zero).value <= TOUCHING
@@ -116,13 +116,13 @@ def strike(model: CompiledModel, detector: EventDetector, q: Array, v: Array) ->
 
 
 def weightless(model: CompiledModel) -> Array:
-    """Directions in which nothing has mass, (joints, k), orthonormal."""
+    """Return the massless directions of the joint space, (joints, k), orthonormal."""
     sizes, vectors = np.linalg.eigh(model.mass)
     return vectors[:, sizes < 1e3 * TINY]
 
 
 def _loose(model: CompiledModel, taut: Flags, rubbing: Array) -> bool:
-    """Return whether some massless part is held neither by a string that pulls nor by a contact that sticks."""
+    """Return whether some massless part is held neither by a taut string nor by a sticking contact."""
     free = weightless(model)
     if not free.shape[1]:
         return False
@@ -133,7 +133,7 @@ def _loose(model: CompiledModel, taut: Flags, rubbing: Array) -> bool:
 
 
 def _undetermined(model: CompiledModel, strings: Flags, held: Flags, rubbing: Array) -> Flags:
-    """Return the forces that could be others with all that is motionless counted as acting: a pattern has no effect."""
+    """Return which forces are undetermined, with every motionless constraint counted as acting."""
     unit = np.eye(model.size)
     drag = np.where(held, 0.0, rubbing) * model.friction
     faces = -unit[model.faces] + drag[:, None] * unit[model.rubs]

@@ -1,6 +1,6 @@
 """Simulation of very light mechanisms in units of mass and time in which their numbers are near 1.
 
-MuJoCo would take such masses for zero. Lengths keep their unit, so that the geometry is unchanged.
+MuJoCo would treat such masses as zero. Lengths keep their unit, so that the geometry is unchanged.
 """
 
 from collections.abc import Callable, Mapping
@@ -22,11 +22,11 @@ from sim2reason.scenes.dsl.state import Array, Dynamics, State
 from sim2reason.scenes.dsl.vectors import Maths, Number, Triple, Vector, times
 from sim2reason.simulation.trace import Event, Trace
 
-LEAST = 1e-15  # kg: MuJoCo takes a mass or an inertia below that for nothing
+LEAST = 1e-15  # kg or kg m²: MuJoCo treats a smaller mass or inertia as zero
 
 
 def is_tiny(mechanism: Mechanism) -> bool:
-    """Return whether a moving body is so light that MuJoCo would take it for massless."""
+    """Return whether a moving body is so light that MuJoCo would treat it as massless."""
     return any(0.0 < body.mass < LEAST for body in mechanism.bodies)
 
 
@@ -112,7 +112,7 @@ class OwnUnits:
 
 @dataclass(frozen=True, slots=True)
 class LawInUnits:
-    """A law of force, converted to other units of mass and time."""
+    """A force law, converted to other units of mass and time."""
 
     law: Law
     units: OwnUnits
@@ -130,11 +130,11 @@ class LawInUnits:
 
     @property
     def constant(self) -> bool:
-        """Return whether the force never changes."""
+        """Return whether the force is constant."""
         return self.law.constant
 
     def moved(self, by: Vector) -> "LawInUnits":
-        """Return this law about another origin."""
+        """Return this law with its origin translated."""
         return replace(self, law=self.law.moved(by))
 
 

@@ -1,4 +1,4 @@
-"""What MuJoCo's steps leave behind, and the motion at any time between them."""
+"""The recorded steps of MuJoCo, and interpolation between them."""
 
 from dataclasses import dataclass, field
 
@@ -10,21 +10,21 @@ from sim2reason.scenes.dsl.state import Array, Dynamics, State
 
 @dataclass
 class Recorder:
-    """The ends of steps; at an event there are two at one time, just before and just after."""
+    """The recorded states; at an event there are two at one time, just before and just after."""
 
     mechanism: Mechanism
     times: list[float] = field(default_factory=list[float])
-    motion: list[Array] = field(default_factory=list[Array])  # q, v and a after each other, (3n,)
-    forces: list[Array] = field(default_factory=list[Array])  # tension, normal and friction after each other
+    motion: list[Array] = field(default_factory=list[Array])  # concatenated q, v and a, (3n,)
+    forces: list[Array] = field(default_factory=list[Array])  # concatenated tension, normal force and friction
 
     def add(self, time: float, motion: Array, forces: Array) -> None:
-        """Note the end of a step."""
+        """Append the state at the end of a step."""
         self.times.append(time)
         self.motion.append(motion)
         self.forces.append(forces)
 
     def state(self, times: Array) -> State:
-        """Return the motion at `times`, s: Hermite's cubic between ends of steps; after the last, on as there."""
+        """Return the motion at `times`, s, by cubic Hermite interpolation; the last interval is extrapolated."""
         knots, motion = np.array(self.times), np.array(self.motion)
         first = np.maximum(np.searchsorted(knots, times, side="right") - 1, 0)
         last = np.minimum(first + 1, len(knots) - 1)
@@ -40,7 +40,7 @@ class Recorder:
 
 
 def _between(first: Array, last: Array, start: Array, stop: Array, times: Array, n: int) -> tuple[Array, Array, Array]:
-    """q, v and a from the values at both ends of the step."""
+    """Return q, v and a, interpolated between the values at both ends of a step."""
     span, since = (stop - start)[:, None], (times - start)[:, None]
     inside = span > 0.0
     h = np.where(inside, span, 1.0)

@@ -1,4 +1,4 @@
-"""A mechanism in the library's own terms, said with MjSpec.
+"""The MjSpec description of a mechanism.
 
 Bodies move by slide and hinge joints. Each string is a tendon with an upper limit: through its sites, or, if
 it turns massive pulleys, a sum of joint positions whose coefficients are filled in later. A body on a face has
@@ -16,17 +16,17 @@ from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.mechanism import ConstantTension, Line, Mechanism, RigidBody
 
 mujoco: Any = import_module("mujoco")  # it ships no types; seen by few modules of this package
-Element: TypeAlias = Any  # of a specification: a body, a joint, a site, a tendon
+Element: TypeAlias = Any  # part of a specification: a body, a joint, a site, a tendon
 
 STEP = 0.2  # s; motion between events is quadratic, which RK4 integrates exactly
-TINY = 1e-9  # kg or kg m²; what a massless moving body weighs here, since the library divides by mass
-IMPEDANCE = 0.9999  # the hardest that the library admits
+TINY = 1e-9  # kg or kg m²; substitute mass of a massless moving body, since MuJoCo divides by mass
+IMPEDANCE = 0.9999  # the largest value that MuJoCo admits
 FAR = 1e6  # m; a limit that is never reached
 
 
 @contextmanager
 def overheard() -> Generator[list[str], None, None]:
-    """The library's warnings, in a list; else it writes them to a file in whatever directory the process works."""
+    """Collect MuJoCo's warnings in a list, which otherwise go to a file in the working directory."""
     said: list[str] = []
     before = mujoco.get_mju_user_warning()
     mujoco.set_mju_user_warning(said.append)
@@ -37,10 +37,10 @@ def overheard() -> Generator[list[str], None, None]:
 
 
 class Specification:
-    """The specification under construction; names are numbers, since any text may be a name in a mechanism."""
+    """The MjSpec description under construction; parts are named by numbers, since any text may be a name."""
 
     def __init__(self, mechanism: Mechanism) -> None:
-        """Say everything that the library has to know of the mechanism."""
+        """Describe all bodies, joints, sites and tendons of a mechanism."""
         self.spec: Any = mujoco.MjSpec()
         self.bodies: dict[str, Element] = {}
         self.joints: dict[str, Element] = {}
@@ -66,7 +66,7 @@ class Specification:
         self.locks = [self._lock(self.joints[c.slip[0][0]]) for c in mechanism.contacts.values()]
 
     def compile(self) -> tuple[Any, Any]:
-        """Return the library's model and data; SimulationError for what it refuses."""
+        """Return MuJoCo's model and data; raise SimulationError if MuJoCo rejects the description."""
         try:
             model = self.spec.compile()
         except ValueError as error:
@@ -134,7 +134,7 @@ class Specification:
         self.carriers.append(self._sum(self._name("sum")) if line.wheels else path)
 
     def _lock(self, joint: Element) -> Element:
-        """Return what holds a joint where it is, while the engine says that it sticks."""
+        """Return an equality constraint that locks a joint while its contact sticks."""
         lock = self.spec.add_equality(type=mujoco.mjtEq.mjEQ_JOINT, name1=joint.name, active=False)
         lock.objtype = mujoco.mjtObj.mjOBJ_JOINT
         lock.solref, lock.solimp = (2.0 * STEP, 1.0), (IMPEDANCE, IMPEDANCE, 0.001, 0.5, 2.0)

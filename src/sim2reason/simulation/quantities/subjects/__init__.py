@@ -1,4 +1,4 @@
-"""What quantities are of: each kind of subject says which there are, and how a text speaks of them."""
+"""Kinds of subjects of quantities: their members in a mechanism and their phrases in a text."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Collection, Mapping
@@ -8,16 +8,16 @@ from typing import ClassVar
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.scenes.dsl.vectors import Vector
 
-LETTERS = 2  # characters of what is a letter, not a noun
+LETTERS = 2  # largest number of characters of a label letter, as opposed to a noun
 
 
 @dataclass(frozen=True, slots=True)
 class Sense:
-    """A direction in the words of the text, and in room coordinates.
+    """A direction, as a phrase of the text and as a vector in the world frame.
 
-    `positive` is what counts as positive, as in *taking … as positive*. `axis` names a component (``x``, ``vertical``);
-    empty where the subject moves along one line anyway. `fixed` is a sense that the text or the noun phrase fixes, so
-    that no question need say what is positive. `share` says how often it is asked of, compared with others.
+    `positive` is the phrase of the positive direction, as in *taking … as positive*. `axis` names a component (``x``,
+    ``vertical``); empty if the subject moves along one line anyway. `fixed` marks a sense that the text or the noun
+    phrase fixes, so that questions need not state it. `share` is the relative frequency of questions about it.
     """
 
     positive: str
@@ -29,11 +29,11 @@ class Sense:
 
 @dataclass(frozen=True)
 class Subject(ABC):
-    """A kind of subject, such as bodies or strings, to which quantities apply; a quantity names its own by `of`.
+    """A kind of subject, such as bodies or strings, to which quantities apply; a quantity names its kind by `of`.
 
     Class data:
-        name: what one of them is called, ``body``.
-        slot: the placeholder that stands for it in a quantity's phrases.
+        name: the name of one subject, such as ``body``.
+        slot: the placeholder of the subject in a quantity's phrases.
         extras: further placeholders that a phrase may use, which `fills` fills.
     """
 
@@ -43,52 +43,52 @@ class Subject(ABC):
 
     @abstractmethod
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return all of this kind, in the order of the mechanism."""
+        """Return the names of all subjects of this kind, in the order of the mechanism."""
 
     @abstractmethod
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """By name, those that a text can speak of, each as it does; `mentions` are its bodies by address."""
+        """Return the phrases by name of subjects that a text can refer to; `mentions` are its bodies by address."""
 
     @abstractmethod
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """Return whether one has what a quantity needs of it (such as its ``mass``) and the text says it.
+        """Return whether a subject has the property `need` (such as ``mass``) and the text states it.
 
-        `said` holds the paths of all numbers that the text says.
+        `said` holds the paths of all numbers that the text states.
         """
 
     def fills(self, mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> dict[str, str]:
-        """Return what stands for each of the `extras`; by default there are none."""
+        """Return the replacement of each placeholder in `extras`; by default there are none."""
         del mechanism, name, mentions
         return {}
 
     def point(self, mechanism: Mechanism, name: str, phrase: str) -> str:
-        """Return how the text speaks of the point of it that has a place and a velocity; by default as of itself."""
+        """Return the phrase for the point of a subject whose position and velocity are meant; by default its own."""
         del mechanism, name
         return phrase
 
     def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
-        """Return the directions of one for which the text has words; none by default."""
+        """Return the directions of a subject that the text can name; by default none."""
         del mechanism, name
         return []
 
     def directions(self, mechanism: Mechanism, name: str) -> list[Vector]:
-        """Return the directions in which one can move in the room, if they do not change; none by default."""
+        """Return the fixed directions in which a subject can move in the world frame; by default none."""
         del mechanism, name
         return []
 
     def label(self, phrase: str) -> str:
-        """Return a phrase for the legend of a plot; of *block A* the letter."""
+        """Return a short label for the legend of a plot, such as the letter of *block A*."""
         words = phrase.removeprefix("the ").split()
         return words[1] if len(words) == 2 and len(words[1]) <= LETTERS else " ".join(words)
 
 
 def all_said(need: str, mechanism: Mechanism, said: Collection[str]) -> bool:
-    """Return whether the text says a number (such as ``mass``) of every body that has it."""
+    """Return whether the text states a property (such as ``mass``) for every body that has it."""
     return all(is_said(need, body.name, said) for body in mechanism.bodies if getattr(body, need, 0.0) != 0.0)
 
 
 def is_said(need: str, name: str, said: Collection[str]) -> bool:
-    """Return whether the text says a number of what is called `name`; a ``dry_mass`` says the mass as well."""
+    """Return whether the text states a property of the subject `name`; a ``dry_mass`` also counts as the mass."""
     if f"{name}.{need}" in said:
         return True
     return any(path.startswith(f"{name}.") and path.endswith(f"_{need}") for path in said)

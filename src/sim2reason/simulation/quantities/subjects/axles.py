@@ -18,15 +18,15 @@ UPWARD: Vector = (0.0, 0.0, 1.0)
 
 @dataclass(frozen=True)
 class Axles(Subject):
-    """Bodies that turn about a fixed axle and are held by that axle alone, as subjects.
+    """Bodies that rotate about a fixed axle and are held by that axle alone, as subjects.
 
-    A light rod with its load at one point is none of them: the force in the rod is that of the axle.
+    A light rod with its load at one point is excluded: the force in the rod is that on the axle.
     """
 
     name, slot = "axle", "body"
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return the names of the bodies on whose hinges all turns that they carry."""
+        """Return the names of the hinged bodies that carry all bodies rotating with them."""
         rods = Rods().names(mechanism)
         hinged = [body.name for body in mechanism.bodies if body.coordinates and body.name not in rods]
         return tuple(name for name in hinged if held_by_axle_alone(mechanism, name))
@@ -36,19 +36,19 @@ class Axles(Subject):
         return {name: mentions[name] for name in self.names(mechanism) if name in mentions}
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """Return whether the text gives it for every body that has it, since each may load the axle."""
+        """Return whether the text states the number `need` for every body that has it, since each may load the axle."""
         del name
         return all_said(need, mechanism, said)
 
     def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
-        """Return up, and right where the axle is level and points away from the reader of the text."""
+        """Return the sense up, and right if the axle is horizontal and points away from the reader."""
         up = Sense(UP, UPWARD, VERTICAL, fixed=True, share=SELDOM)
         right = Sense(RIGHT, ACROSS, HORIZONTAL, fixed=True, share=SELDOM)
         return [up, right] if abs(mechanism.body[name].coordinates[0].axis[1]) > 1.0 - EVEN else [up]
 
 
 def held_by_axle_alone(mechanism: Mechanism, name: str) -> bool:
-    """Return whether a body, with all bodies joined to it, turns about one fixed axle and touches nothing else."""
+    """Return whether a body, with all bodies joined to it, rotates about one fixed axle without other contacts."""
     if [c.kind for body in chain(mechanism, name) for c in body.coordinates] != ["hinge"]:
         return False
     together = carried_by(mechanism, chain(mechanism, name)[-1].name)
@@ -63,7 +63,7 @@ def held_by_axle_alone(mechanism: Mechanism, name: str) -> bool:
 
 
 DIRECTIONS = "directions of the string's parts"
-"""Name of a fact about a pulley: the text fixes the angle between the parts of a string that leave the pulley."""
+"""The need of a quantity of a pulley that the text fixes the angle between its string parts."""
 
 
 @dataclass(frozen=True)
@@ -82,14 +82,14 @@ class Pulleys(Subject):
         return {name: mentions[name] for name in self.names(mechanism) if name in mentions}
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """Return whether the text gives it for every body that has it, since each may load the pulley."""
+        """Return whether the text states the number `need` for every body, since each may load the pulley."""
         return directions_told(mechanism, name) if need == DIRECTIONS else all_said(need, mechanism, said)
 
 
 def directions_told(mechanism: Mechanism, name: str) -> bool:
-    """Return whether all slanting or level parts of strings that leave a pulley run to one and the same thing.
+    """Return whether all slanted or horizontal string parts that leave a pulley run to the same body.
 
-    Nothing is said of the sides on which two separate planes lie, so the angle between parts along them is unknown.
+    The text does not state the sides of two separate planes, so the angle between parts along them is unknown.
     """
     frames, ends = start(mechanism), set[str]()
     for line in mechanism.lines:

@@ -1,4 +1,4 @@
-"""Single bodies, and the whole system."""
+"""Single bodies and the whole system as kinds of subjects."""
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
@@ -20,7 +20,7 @@ from sim2reason.simulation.quantities.subjects.paths import (
 UP, RIGHT = "up", "right"
 OPPOSITE = {UP: "down", RIGHT: "left"}
 HORIZONTAL, VERTICAL = "horizontal", "vertical"
-SELDOM = 0.3  # of a component along no axis of the text, or along one of two
+SELDOM = 0.3  # relative frequency of a component along no axis of the text, or along one of two
 AXES = ("x", "y", "z")  # labels of coordinates along axes that the text defines
 
 
@@ -32,29 +32,29 @@ class Bodies(Subject):
     extras = frozenset({"ground"})
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return all bodies, massless ones and wheels among them."""
+        """Return all bodies, including massless ones and wheels."""
         return tuple(mechanism.body)
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """Return those that can move, but for the wheels of pulleys: a pulley is no disc that the text follows."""
+        """Return the phrases of the movable bodies, except the wheels of pulleys, which the text does not follow."""
         return {name: mentions[name] for name in mechanism.body if name in mentions and moves(mechanism, name)}
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """Return whether the body has it and the text says it at the body's address."""
+        """Return whether the body has the property `need` and the text states it at the body's address."""
         return getattr(mechanism.body[name], need, 1.0) != 0.0 and is_said(need, name, said)
 
     def fills(self, mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> dict[str, str]:
-        """Return *relative to the ground* for a body that is carried by another one."""
+        """Return *relative to the ground* for a body that another body carries."""
         del mentions
         return {"ground": " relative to the ground" if rides(mechanism, name) else ""}
 
     def point(self, mechanism: Mechanism, name: str, phrase: str) -> str:
-        """Return the centre of mass of what has a size and swings; what turns about its centre moves as that does."""
+        """Return the phrase of the centre of mass for an extended swinging body, else that of the body itself."""
         swings = any(mechanism.body[name].inertia) and center_path(mechanism, name).swings
         return f"the centre of mass of {phrase}" if swings else phrase
 
     def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
-        """Up, up the slope, the axes that the text defines."""
+        """Return the senses up, up the slope, and along the axes that the text defines."""
         own = [c for c in mechanism.body[name].coordinates if c.label in AXES and c.kind == "slide"]
         path = center_path(mechanism, name)
         if own and len(own) == len(path.ways):
@@ -64,19 +64,19 @@ class Bodies(Subject):
         return _of_path(path) or (right if path.straight else [])
 
     def directions(self, mechanism: Mechanism, name: str) -> list[Vector]:
-        """Return those of its own and of what carries it; none of a path that bends."""
+        """Return the directions of motion of the body and of its carriers; none if they change."""
         path = center_path(mechanism, name)
         return [] if path.bends else list(path.ways)
 
     def label(self, phrase: str) -> str:
-        """Return its letter, or its noun."""
+        """Return the letter or the noun of the phrase."""
         return phrase.removeprefix("the ") if phrase.startswith("the ") else phrase.rpartition(" ")[2]
 
 
 def moves(mechanism: Mechanism, name: str) -> bool:
-    """Return whether the centre of mass of a body can move, and it is not the wheel of a pulley.
+    """Return whether the centre of mass of a body can move, and the body is not the wheel of a pulley.
 
-    What has no mass and turns, as a light arm on a carriage does, has no centre of mass, and no point is meant.
+    A massless rotating body, such as a light arm on a carriage, has no centre of mass.
     """
     body = mechanism.body[name]
     pointless = not body.mass and any(coordinate.kind == "hinge" for coordinate in body.coordinates)
@@ -89,7 +89,7 @@ def moves_in_plane(mechanism: Mechanism, name: str) -> bool:
 
 
 def _of_path(path: CenterPath) -> list[Sense]:
-    """Return the directions for which English has words; right is only one where the text fixes it, as a label says."""
+    """Return the senses with English names; right is included only if the text fixes it by a label."""
     if not path.rises:
         return []
     if not path.straight:
@@ -98,7 +98,7 @@ def _of_path(path: CenterPath) -> list[Sense]:
     return [Sense(UP if way[2] > 1.0 - EVEN else "up the slope", way)]
 
 
-ROD = "rod"  # the last part of its address
+ROD = "rod"  # the last part of a rod's address
 
 
 @dataclass(frozen=True)
@@ -112,12 +112,12 @@ class HungBodies(Subject):
         return tuple(body.name for body in mechanism.bodies if _hangs(mechanism, body))
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """Return what the text calls the rod of each body."""
+        """Return the text's phrase for the rod of each body."""
         rods = {name: f"{name.rpartition('.')[0]}.{ROD}" for name in self.names(mechanism)}
         return {name: mentions[rod] for name, rod in rods.items() if rod in mentions}
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """Return whether the text gives everything, on all of which the force in a rod depends."""
+        """Return whether the text states `need` for every body, since the force in a rod depends on all of them."""
         del name
         return all_said(need, mechanism, said)
 
@@ -139,16 +139,16 @@ class TurningBodies(Subject):
     extras = frozenset({"net"})
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return all that turn, wheels of pulleys among them."""
+        """Return all rotating bodies, including wheels of pulleys."""
         return tuple(name for name in mechanism.body if turning_axes(mechanism, name))
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """Return those whose turning can be seen: not pulleys, nor bodies so small that they have no size."""
+        """Return the phrases of the bodies with visible rotation: no pulleys and no point masses."""
         seen = [name for name in self.names(mechanism) if name in mentions and not is_pulley_wheel(mechanism, name)]
         return {name: mentions[name] for name in seen if _has_size(mechanism, name)}
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """Return whether the body has it and the text says it at the body's address."""
+        """Return whether the body has the property `need` and the text states it at the body's address."""
         return Bodies().gives(need, mechanism, name, said)
 
     def fills(self, mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> dict[str, str]:
@@ -158,12 +158,12 @@ class TurningBodies(Subject):
 
 
 def _has_size(mechanism: Mechanism, name: str) -> bool:
-    """Return whether a body is no point: it has a moment of inertia, or it is light and its own hinge turns it."""
+    """Return whether a body is not a point: it has a moment of inertia, or it is light and on its own hinge."""
     body = mechanism.body[name]
     return any(body.inertia) or (body.mass == 0.0 and any(c.kind == "hinge" for c in body.coordinates))
 
 
-ALL = ""  # its only name
+ALL = ""  # the only name of this kind
 
 
 @dataclass(frozen=True)
@@ -173,22 +173,22 @@ class Whole(Subject):
     name, slot = "whole", "all"
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """There is one."""
+        """Return the single name of the whole scene."""
         del mechanism
         return (ALL,)
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """It goes without saying."""
+        """Return an empty phrase, as questions do not name the scene."""
         del mechanism, mentions
         return {ALL: ""}
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """Return whether the text says it of everything that has it."""
+        """Return whether the text states `need` for every body that has it."""
         del name
         return all_said(need, mechanism, said)
 
     def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
-        """Return the directions of the text if they are the same for all bodies with a mass; else none."""
+        """Return the senses of the text if they are the same for all bodies with a mass; else none."""
         del name
         each = [Bodies().senses(mechanism, body.name) for body in mechanism.bodies if body.mass > 0.0]
         return each[0] if each and all(senses == each[0] for senses in each) else []

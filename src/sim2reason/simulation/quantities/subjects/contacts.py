@@ -1,4 +1,4 @@
-"""Contacts, and hands that pull."""
+"""Contacts with faces, and hands that pull strings, as kinds of subjects."""
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
@@ -18,20 +18,20 @@ class Contacts(Subject):
     extras = frozenset({"surface"})
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return all bodies that lie on a face."""
+        """Return the names of all bodies that lie on a face."""
         return tuple(mechanism.contacts)
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """Return those of the text."""
+        """Return the phrases of the bodies that the text mentions."""
         return {name: mentions[name] for name in mechanism.contacts if name in mentions}
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """Return a force on a face comes from everything that is there."""
+        """Return whether the text states `need` for every body, since contact forces depend on all of them."""
         del name
         return all_said(need, mechanism, said)
 
     def fills(self, mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> dict[str, str]:
-        """Return the body or the plane that it lies on, by its name where the text has one that means nothing else."""
+        """Return the phrase of the surface on which the body lies, made unambiguous."""
         return {"surface": surface(mechanism, name, mentions)}
 
 
@@ -55,7 +55,7 @@ class Hands(Subject):
     name, slot = "hand", "hand"
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return the names of all string parts that a hand draws in."""
+        """Return the names of all string parts that a hand pulls."""
         return tuple(line.name for line in mechanism.pulls)
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:

@@ -1,4 +1,4 @@
-"""Strings and springs."""
+"""Strings and springs as kinds of subjects."""
 
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
@@ -10,9 +10,9 @@ from sim2reason.simulation.quantities.subjects import Sense, Subject, all_said, 
 def line_phrases(
     mechanism: Mechanism, mentions: Mapping[str, str], lines: Iterable[Line], noun: str, *, alone: bool
 ) -> dict[str, str]:
-    """Return a phrase for every line that can be told from the others of its kind, by name.
+    """Return a phrase for every line that the text can distinguish from others of its kind, by name.
 
-    One that is a body of the text goes by its mention, the only one of its kind, if it is `alone`, by its noun.
+    A line that is a body of the text has its mention as phrase; the only one of its kind, if `alone`, has its noun.
     """
     wheels = pulleys(mechanism, mentions)
     found: dict[str, str] = {}
@@ -31,7 +31,7 @@ def line_phrases(
 
 
 def pulleys(mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-    """Return the pulleys of the text by what carries them: the body, or for fixed ones their own address."""
+    """Return the phrases of pulleys by the address of the body that carries them, or by their own if fixed."""
     found: dict[str, str] = {}
     for address in mentions:
         site = mechanism.site.get(f"{address}.left")
@@ -41,7 +41,7 @@ def pulleys(mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]
 
 
 def _end(mechanism: Mechanism, name: str, mentions: Mapping[str, str], carriers: Mapping[str, str]) -> str:
-    """Return what a line ends at, in words; empty for an end that the text has no name for."""
+    """Return the phrase of the body at one end of a line; empty if the text has no name for it."""
     owner, site = name.rpartition(".")[0], mechanism.site[name]
     if owner in mentions:  # the rim of a pulley
         return mentions[owner]
@@ -52,7 +52,7 @@ def _end(mechanism: Mechanism, name: str, mentions: Mapping[str, str], carriers:
 
 
 def ends_label(phrase: str) -> str:
-    """Return the ends in a phrase, for a legend: *block A – pulley P*."""
+    """Return the legend label of a line, made of its ends: *block A – pulley P*."""
     ends = phrase.partition(" between ")[2] or phrase
     said = ends.replace("the axle of ", "axle of ").replace("the ", "").replace(" and ", " – ")
     return f"{said} (part)" if phrase.startswith("the part") else said
@@ -68,15 +68,15 @@ class Springs(Subject):
     name = slot = "spring"
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return all of them."""
+        """Return the names of all springs."""
         return tuple(line.name for line in mechanism.lines if isinstance(line.law, Elastic))
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """Return those with a name of their own, or that can be told by their ends."""
+        """Return the phrases of springs with names of their own or with distinguishable ends."""
         return springs(mechanism, mentions)
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """Return whether the text says a number of the spring, its ``stiffness`` or its natural ``length``."""
+        """Return whether the text states a property of the spring, its ``stiffness`` or its natural ``length``."""
         return is_said(need, mechanism.line[name].whole, said)
 
     def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
@@ -85,12 +85,12 @@ class Springs(Subject):
         return [Sense(STRETCHED, ZERO)]
 
     def label(self, phrase: str) -> str:
-        """Return its name, or its ends."""
+        """Return the name of the spring, or its ends."""
         return ends_label(phrase)
 
 
 def springs(mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-    """Return a phrase for every spring that can be told from the others, by name."""
+    """Return a phrase for every spring that the text can distinguish from others, by name."""
     elastic = [line for line in mechanism.lines if isinstance(line.law, Elastic)]
     return line_phrases(mechanism, mentions, elastic, "spring", alone=True)
 
@@ -102,23 +102,23 @@ class Strings(Subject):
     name = slot = "string"
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return all parts, those among them that a constant force draws in."""
+        """Return the names of all string parts, including those that a constant force pulls."""
         return tuple(line.name for line in mechanism.lines if isinstance(line.law, Inextensible | ConstantTension))
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """Return those that can be told by their ends."""
+        """Return the phrases of strings with distinguishable ends."""
         return strings(mechanism, mentions)
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """Return whether the text gives the need of every body: a tension depends on all of them."""
+        """Return whether the text states `need` for every body: a tension depends on all of them."""
         del name
         return all_said(need, mechanism, said)
 
     def label(self, phrase: str) -> str:
-        """Return its ends: *block A – pulley P*."""
+        """Return the ends of the string: *block A – pulley P*."""
         return ends_label(phrase)
 
 
 def strings(mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-    """Return a phrase for every string part that may go slack and can be told from the others, by name."""
+    """Return a phrase for every string part that may go slack and is distinguishable, by name."""
     return line_phrases(mechanism, mentions, mechanism.strings, "string", alone=not mechanism.pulls)

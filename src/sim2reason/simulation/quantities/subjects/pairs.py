@@ -1,4 +1,4 @@
-"""Pairs of bodies."""
+"""Pairs of bodies as kinds of subjects."""
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
@@ -18,13 +18,13 @@ class Pairs(Subject):
     name = slot = "pair"
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Return all pairs of meetings, then those of attractions."""
+        """Return the names of all collision pairs, then those of attracting pairs."""
         met = [AND.join(meeting.names) for meeting in mechanism.meetings if len(meeting.names) == 2]
         drawn = [AND.join((pull.a, pull.b)) for pull in mechanism.attractions]
         return tuple(dict.fromkeys([*met, *drawn]))
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """Return the phrases for the moment, such as *pucks A and B*; only where both are named and one can move."""
+        """Return the phrases of pairs, such as *pucks A and B*, if both are named and one can move."""
         found: dict[str, str] = {}
         for name in self.names(mechanism):
             a, b = members(name)
@@ -37,7 +37,7 @@ class Pairs(Subject):
         return all(Bodies().gives(need, mechanism, body, said) for body in members(name))
 
     def point(self, mechanism: Mechanism, name: str, phrase: str) -> str:
-        """Return the centres of what meets before they do."""
+        """Return the phrase of the centres of the bodies, if they have a size."""
         wide = any(AND.join(met.names) == name and met.distance > 0.0 for met in mechanism.meetings)
         return f"the centres of {phrase}" if wide else phrase
 
@@ -49,7 +49,7 @@ def members(name: str) -> tuple[str, str]:
 
 
 def pair(one: str, other: str) -> str:
-    """Two bodies as one phrase: *pucks A and B*, *block A and wedge W*."""
+    """Return the joint phrase of two bodies: *pucks A and B*, *block A and wedge W*."""
     noun, _, letter = one.rpartition(" ")
     same, _, second = other.rpartition(" ")
     return f"{noun}s {letter} and {second}" if noun == same and noun != "the" else f"{one} and {other}"
@@ -67,7 +67,7 @@ class RelativeBodies(Subject):
         return tuple(AND.join(pair) for pair in permutations(moving, 2))
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """Return no phrases: only structured questions are about pairs; a sentence with two bodies is about each."""
+        """Return no phrases, since only structured questions are about relative quantities."""
         del mechanism, mentions
         return {}
 
@@ -76,6 +76,6 @@ class RelativeBodies(Subject):
         return all(Bodies().gives(need, mechanism, body, said) for body in members(name))
 
     def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
-        """Return the directions that both bodies have."""
+        """Return the senses that both bodies have."""
         one, other = (Bodies().senses(mechanism, body) for body in members(name))
         return [sense for sense in one if sense in other]

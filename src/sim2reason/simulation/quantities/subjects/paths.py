@@ -1,4 +1,4 @@
-"""How the parts of a mechanism can move, as its tree of bodies tells without any motion."""
+"""Possible motions of the parts of a mechanism, derived from its tree of bodies without simulation."""
 
 from dataclasses import dataclass
 from math import hypot
@@ -7,16 +7,16 @@ from sim2reason.scenes.dsl.mechanism import ZERO, Coordinate, Mechanism, RigidBo
 from sim2reason.scenes.dsl.vectors import Vector, add, outer, scale
 
 RIMS = ("left", "right"), ("in", "out")  # the sites where a string meets a pulley, of an entity and of a string
-EVEN = 1e-9  # the vertical part of a direction that is level; the length of a direction that is none
+EVEN = 1e-9  # largest vertical component of a horizontal direction; length of a vanishing direction
 
 
 @dataclass(frozen=True, slots=True)
 class CenterPath:
-    """How the centre of mass of a body can move in the room.
+    """The possible motions of the centre of mass of a body in the world frame.
 
-    `ways` are the directions, at the start, in which its coordinates can move it, those of the body itself first;
-    parallel ones count once. `bends` says whether they change as it moves, `turns` are the axes about which the body
-    can turn, and `swings` says whether one of them moves its centre of mass.
+    `ways` are the initial directions in which its coordinates can move it, those of the body itself first; parallel
+    ones count once. `bends` tells whether they change with the motion, `turns` are the axes about which the body can
+    rotate, and `swings` tells whether one of these rotations moves its centre of mass.
     """
 
     ways: tuple[Vector, ...]
@@ -26,22 +26,22 @@ class CenterPath:
 
     @property
     def straight(self) -> bool:
-        """Return whether it is one straight line."""
+        """Return whether the path is one straight line."""
         return len(self.ways) == 1 and not self.bends
 
     @property
     def rises(self) -> bool:
-        """Return whether it can go up or down."""
+        """Return whether the centre of mass can move up or down."""
         return any(abs(way[2]) > EVEN for way in self.ways) or (self.bends and any(not upright(t) for t in self.turns))
 
 
 def upright(axis: Vector) -> bool:
-    """Return whether an axis is vertical, so that what turns about it stays level."""
+    """Return whether an axis is vertical, so that rotation about it keeps heights constant."""
     return hypot(axis[0], axis[1]) <= EVEN
 
 
 def chain(mechanism: Mechanism, name: str) -> list[RigidBody]:
-    """Return a body and all that carry it, itself first."""
+    """Return a body and all bodies that carry it, innermost first."""
     found: list[RigidBody] = []
     step: str | None = name
     while step is not None:
@@ -51,7 +51,7 @@ def chain(mechanism: Mechanism, name: str) -> list[RigidBody]:
 
 
 def center_path(mechanism: Mechanism, name: str) -> CenterPath:
-    """Return how the centre of mass of a body can move."""
+    """Return the possible motions of the centre of mass of a body."""
     bodies = chain(mechanism, name)
     ways: list[Vector] = []
     turns: list[Vector] = []
@@ -79,19 +79,19 @@ def center_path(mechanism: Mechanism, name: str) -> CenterPath:
 
 
 def parallel(one: Vector, other: Vector) -> bool:
-    """Return whether two unit vectors lie on one line."""
+    """Return whether two unit vectors are parallel or antiparallel."""
     return hypot(*outer(one, other)) <= EVEN
 
 
 def turning_axes(mechanism: Mechanism, name: str) -> list[tuple[str, Vector]]:
-    """Return the hinges that turn a body, by name, each with its axis at the start; the innermost first."""
+    """Return the hinges that rotate a body, by name, each with its initial axis; the innermost first."""
     return [
         (c.name, c.axis) for body in chain(mechanism, name) for c in reversed(body.coordinates) if c.kind == "hinge"
     ]
 
 
 def is_pulley_wheel(mechanism: Mechanism, name: str) -> bool:
-    """Return whether a body is the wheel of a pulley: its rim is marked on what carries it."""
+    """Return whether a body is the wheel of a pulley, with its rim marked on its carrier."""
     return f"{name}.left" in mechanism.site and f"{name}.right" in mechanism.site
 
 
@@ -102,7 +102,7 @@ def rim_of(mechanism: Mechanism, address: str) -> tuple[str, str] | None:
 
 
 def rides(mechanism: Mechanism, name: str) -> bool:
-    """Return whether a body moves on another one that slides, so that its motion could be taken as relative to that."""
+    """Return whether a body moves on a sliding body, so that its motion is ambiguous without a reference."""
     own = False
     for body in chain(mechanism, name):
         if own and any(c.kind == "slide" for c in body.coordinates):
@@ -121,17 +121,17 @@ def is_welded_part(mechanism: Mechanism, name: str) -> bool:
 
 
 def extended(mechanism: Mechanism, name: str) -> bool:
-    """Return whether a body has a size that turning shows."""
+    """Return whether a body has a moment of inertia."""
     return any(mechanism.body[name].inertia)
 
 
 def at_start(mechanism: Mechanism, name: str | None) -> Vector:
-    """Return where the frame of a body stands in the room at the start, m; its axes are then those of the room."""
+    """Return the initial position of a body's frame in the world frame, m; their axes then coincide."""
     return add(*(body.at for body in chain(mechanism, name))) if name is not None else ZERO
 
 
 def ways_of(mechanism: Mechanism, name: str | None, at: Vector) -> dict[str, Vector]:
-    """Return how a point `at` in the frame of a body moves, at the start, with each coordinate that does move it."""
+    """Return the initial direction of motion of a point `at` in a body's frame for each coordinate that moves it."""
     found: dict[str, Vector] = {}
     arm = at
     for body in chain(mechanism, name) if name is not None else []:
@@ -144,7 +144,7 @@ def ways_of(mechanism: Mechanism, name: str | None, at: Vector) -> dict[str, Vec
 
 
 def carried_by(mechanism: Mechanism, name: str) -> list[RigidBody]:
-    """Return a body and all that it carries."""
+    """Return a body and all bodies that it carries."""
     found = {name}
     for body in mechanism.bodies:  # a parent stands before its children
         if body.parent in found:

@@ -1,4 +1,4 @@
-"""Rods, and lines that swing."""
+"""Rods and swinging lines as kinds of subjects."""
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ from sim2reason.simulation.quantities.subjects.paths import EVEN, at_start, carr
 
 
 class Pointer(NamedTuple):
-    """Two points that a line joins, the upper one first, each as a body (None: the room) and a place in its frame."""
+    """Two points joined by a line, the upper one first, each as a body (None: the world) and a point in its frame."""
 
     top: tuple[str | None, Vector]
     bottom: tuple[str | None, Vector]
@@ -27,14 +27,14 @@ class SwingingLines(Subject):
     name, slot = "swinging line", "line"
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Lines with two ends that bend, then bodies that hang from hinges of their own."""
+        """Return the names of lines with two ends that swing, then of bodies that hang from their own hinges."""
         if mechanism.gravity == ZERO:
             return ()
         lines = [line.name for line in mechanism.lines if line_pointer(mechanism, line) is not None]
         return (*lines, *(b.name for b in mechanism.bodies if body_pointer(mechanism, b) is not None))
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """*The string*, *the rod*, *the line from the axle to the centre of mass of the disc*."""
+        """Return the phrases *the string*, *the rod*, *the line from the axle to the centre of mass of the disc*."""
         known = {**springs(mechanism, mentions), **strings(mechanism, mentions), **mentions}
         found: dict[str, str] = {}
         for name in self.names(mechanism):
@@ -49,13 +49,13 @@ class SwingingLines(Subject):
         return found
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """Angles need nothing."""
+        """Return True, since an angle requires no number of the text."""
         del need, mechanism, name, said
         return True
 
 
 def pointer(mechanism: Mechanism, name: str) -> Pointer:
-    """Return what a swinging line joins; ValueError for a name that is none."""
+    """Return the end points of a swinging line or body; raise ValueError for any other name."""
     line, body = mechanism.line.get(name), mechanism.body.get(name)
     found = line_pointer(mechanism, line) if line is not None else body and body_pointer(mechanism, body)
     if not found:
@@ -64,7 +64,7 @@ def pointer(mechanism: Mechanism, name: str) -> Pointer:
 
 
 def line_pointer(mechanism: Mechanism, line: Line) -> Pointer | None:
-    """A line of one straight piece that turns as its ends move; None for any other. It hangs from its quieter end."""
+    """Return the end points of a straight line that can swing, from its less mobile end; None for any other line."""
     if len(line.through) != 2 or line.wheels:
         return None
     ends = [mechanism.site[name] for name in line.through]
@@ -80,18 +80,18 @@ def line_pointer(mechanism: Mechanism, line: Line) -> Pointer | None:
 
 
 def _turns(ways: list[dict[str, Vector]], name: str, direction: Vector) -> bool:
-    """Return whether a coordinate moves the two ends of a line across it, one relative to the other."""
+    """Return whether a coordinate moves one end of a line relative to the other, perpendicular to the line."""
     apart = add(ways[1].get(name, ZERO), scale(-1.0, ways[0].get(name, ZERO)))
     return hypot(*outer(direction, apart)) > EVEN
 
 
 def is_light_rod(body: RigidBody) -> bool:
-    """Return whether a body is a light rod: it has no mass, and turns about a hinge of its own alone."""
+    """Return whether a body is a light rod: massless, with a hinge as its only coordinate."""
     return body.mass == 0.0 and len(body.coordinates) == 1 and body.coordinates[0].kind == "hinge"
 
 
 def body_pointer(mechanism: Mechanism, body: RigidBody) -> Pointer | None:
-    """From the hinge of a body to its centre of mass, or of a light rod to that of what is fixed to it; else None."""
+    """Return the points from a body's hinge to its centre of mass, or to that of a light rod's load; else None."""
     if len(body.coordinates) != 1 or body.coordinates[0].kind != "hinge":
         return None
     axis = body.coordinates[0].axis
@@ -102,7 +102,7 @@ def body_pointer(mechanism: Mechanism, body: RigidBody) -> Pointer | None:
 
 
 def _is_thin(mechanism: Mechanism, body: RigidBody) -> bool:
-    """Whether all of a body lies on the line from its hinge to its centre of mass: it has no inertia about that."""
+    """Return whether the mass of a body lies on the line from its hinge to its centre of mass."""
     found, inertia = body_pointer(mechanism, body), max(map(abs, body.inertia))
     if found is None or inertia == 0.0:
         return False
@@ -111,7 +111,7 @@ def _is_thin(mechanism: Mechanism, body: RigidBody) -> bool:
 
 
 def _pivot(mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> str:
-    """About what a body turns: its axle, or the centre of the round face on which it moves."""
+    """Return the phrase of the pivot of a body: its axle, or the centre of the round face on which it moves."""
     face = mechanism.contacts.get(name)
     if face is not None and face.turning:
         return f"the centre of {surface(mechanism, name, mentions)}"
@@ -119,19 +119,19 @@ def _pivot(mechanism: Mechanism, name: str, mentions: Mapping[str, str]) -> str:
 
 
 def carries_on_both_sides(mechanism: Mechanism, rod: str) -> bool:
-    """Return whether what is welded to a light rod is not all on one side of its axle."""
+    """Return whether bodies are welded to a light rod on both sides of its axle."""
     places = [body.at for body in welded_to(mechanism, rod)]
     return any(inner(places[0], place) < 0.0 for place in places[1:])
 
 
 def welded_to(mechanism: Mechanism, rod: str) -> list[RigidBody]:
-    """Return what is fixed to a rod and has a mass."""
+    """Return the bodies with mass that are welded to a rod."""
     carried = carried_by(mechanism, rod)
     return [body for body in carried if body.parent == rod and body.mass > 0.0 and not body.coordinates]
 
 
 def load_center(mechanism: Mechanism, rod: RigidBody) -> Vector:
-    """Return the centre of mass of what is fixed to a light rod, or else of where things hang from it, in its frame."""
+    """Return the centre of mass of the load of a light rod, or of the hinges on it, in the rod's frame, m."""
     heavy = [(b.mass, add(b.at, b.center)) for b in welded_to(mechanism, rod.name)]
     loads = heavy or [(1.0, b.at) for b in carried_by(mechanism, rod.name) if b.parent == rod.name]
     total = sum(mass for mass, _ in loads)
@@ -145,33 +145,33 @@ class Rods(Subject):
     name = slot = "rod"
 
     def names(self, mechanism: Mechanism) -> tuple[str, ...]:
-        """Lines that are rods, then bodies that are."""
+        """Return the names of rigid lines, then of bodies that are light rods."""
         lines = (line.name for line in mechanism.lines if isinstance(line.law, Rigid))
         return (*lines, *(body.name for body in mechanism.bodies if _pulls_alone(mechanism, body)))
 
     def phrases(self, mechanism: Mechanism, mentions: Mapping[str, str]) -> dict[str, str]:
-        """Return those with a name of their own, or that can be told by their ends."""
+        """Return the phrases of rods with names of their own or with distinguishable ends."""
         rigid = [line for line in mechanism.lines if isinstance(line.law, Rigid)]
         bodies = {name: mentions[name] for name in self.names(mechanism) if name in mentions}
         return line_phrases(mechanism, mentions, rigid, "rod", alone=not bodies) | bodies
 
     def gives(self, need: str, mechanism: Mechanism, name: str, said: Collection[str]) -> bool:
-        """Return whether the text gives the need of every body: the force in a rod depends on all of them."""
+        """Return whether the text states `need` for every body: the force in a rod depends on all of them."""
         del name
         return all_said(need, mechanism, said)
 
     def senses(self, mechanism: Mechanism, name: str) -> list[Sense]:
-        """Return a pull."""
+        """Return the sense of tension."""
         del mechanism, name
         return [Sense("tension", (0.0, 0.0, 0.0))]
 
     def label(self, phrase: str) -> str:
-        """Return its name, or its ends."""
+        """Return the name of the rod, or its ends."""
         return ends_label(phrase)
 
 
 def _pulls_alone(mechanism: Mechanism, body: RigidBody) -> bool:
-    """Return whether a body is a light rod on a hinge, and nothing else than it and weight acts on what it holds."""
+    """Return whether a body is a light rod on a hinge, with only the rod and gravity acting on its load."""
     if not is_light_rod(body) or body_pointer(mechanism, body) is None:
         return False
     held = {each.name for each in carried_by(mechanism, body.name)}
@@ -183,7 +183,7 @@ def _pulls_alone(mechanism: Mechanism, body: RigidBody) -> bool:
 
 
 def _at_its_end(mechanism: Mechanism, rod: RigidBody) -> bool:
-    """Whether all that a light rod holds is joined to it at one point: small bodies, and hinges of what hangs there."""
+    """Return whether everything on a light rod is joined to it at one point."""
     fixed: dict[str | None, Vector] = {
         rod.name: ZERO
     }  # where the frames of what can't move on the rod stand in its own

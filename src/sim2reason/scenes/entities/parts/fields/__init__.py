@@ -1,4 +1,4 @@
-"""Fields that act on a charged bead in the x-y plane: their sentence, and the law of their force."""
+"""Fields that act on a charged bead in the x-y plane: their sentences and force laws."""
 
 from collections.abc import Mapping
 from typing import Annotated, Literal, TypeVar
@@ -24,11 +24,11 @@ ElectricAtFirst = Annotated[
 MagneticAtFirst = Annotated[
     float, Ge(1e-12), Le(1e6), Measure("field strength", "T", "B", called="magnitude"), Range(0.4, 1.2)
 ]
-"""Those of fields that have them at one time or in one place alone."""
+"""Ranges for fields that have this strength only at one time or position."""
 
 
 class ForceField(Part):
-    """The base. A field that is of no base below may have one of its own: an entity then needs a place for it."""
+    """Base class of fields. A kind outside the classes below may have a base of its own, with a field of an entity."""
 
     @classmethod
     def variants(cls) -> tuple[type[Model], ...]:
@@ -36,11 +36,11 @@ class ForceField(Part):
         return tuple(kind for kind in FIELDS.values() if issubclass(kind, cls))
 
     def law(self, charge: float) -> Law:
-        """Return the force on a charge, uC, in uN, at places in m and times in s."""
+        """Return the force law for a charge, uC; forces in uN, positions in m and times in s."""
         raise NotImplementedError
 
     def rate(self, charge: float, mass: float) -> float:
-        """Return how fast it turns, swings, slows or drives a bead away, 1/s; 0 where nothing sets a time."""
+        """Return the rate of rotation, oscillation, decay or acceleration of a bead, 1/s; 0 without a time scale."""
         del charge, mass
         return 0.0
 
@@ -52,7 +52,7 @@ FIELDS: Registry[type[ForceField]] = Registry(
 
 
 def force_field(cls: type[F]) -> type[F]:
-    """Enter a field under the name of its class."""
+    """Register a field under the name of its class."""
     return FIELDS.add(cls.__name__, cls)
 
 
@@ -69,7 +69,7 @@ class MagneticField(ForceField):
 
 
 class Medium(ForceField):
-    """What resists the motion."""
+    """Base class of media that resist the motion."""
 
     called = "the medium"
 
@@ -79,7 +79,7 @@ _TURNED: Mapping[str, str] = {"increases": "decreases", "decreases": "increases"
 
 
 def _by_way(trend: str) -> Word:
-    """Return the trend of the component along an axis, given that of the component along the field."""
+    """Return the word for the trend of the component along an axis, given that along the field."""
     return Word("way", {way: trend if way.startswith("positive") else _TURNED[trend] for way in _WAYS})
 
 
@@ -91,11 +91,11 @@ CHANGING: dict[str, Word] = {
     "fading": _by_way("decreases"),
     "changes": Word("trend", {"increases": "{growing}", "decreases": "{fading}"}),
 }
-"""The words of a field with a `way` and a `trend` of its component in that direction: along which axis it has a
+"""The words for the axis and the trend of a field's component, so that texts avoid components along negative axes.
 component, and what that does, so that no text speaks of a component in a negative direction."""
 
 
 def along(way: str) -> Vector:
-    """Return the unit vector of a direction in words."""
+    """Return the unit vector of a direction given in words."""
     side, axis = way.split()
     return scale(1.0 if side == "positive" else -1.0, AXES[axis])

@@ -1,4 +1,4 @@
-"""The magnetic field of a dipole, in the plane through it that is square to its moment: it falls off as 1/r³."""
+"""The magnetic field of a dipole, in the plane perpendicular to its moment: it falls off as 1/r³."""
 
 from dataclasses import dataclass, replace
 from math import hypot
@@ -17,31 +17,31 @@ BOUNDS = (Ge(-1e3), Le(1e3))
 
 @dataclass(frozen=True, slots=True)
 class DipoleForce:
-    """The force q v × B with B = b/r³ along one direction."""
+    """The force law q v × B with B = b/r³ along one direction."""
 
     center: Vector
     direction: Vector
     strength: float  # charge times b, C T m³
 
     def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
-        """Square to velocity and field; it does no work."""
+        """Return the force, which is perpendicular to velocity and field and does no work."""
         del time
         apart = minus(place, self.center)
         square = product(apart, apart)
         return times(self.strength / (square * maths.sqrt(square)), cross(velocity, self.direction))
 
     def potential(self, place: Triple, maths: Maths) -> Number | None:
-        """Zero: it does no work."""
+        """Return 0, since the force does no work."""
         del place, maths
         return 0.0
 
     @property
     def constant(self) -> bool:
-        """Never."""
+        """Return False, since the force depends on the velocity."""
         return False
 
     def moved(self, by: Vector) -> "DipoleForce":
-        """About another origin."""
+        """Return the law about another origin."""
         return replace(self, center=add(self.center, by))
 
 
@@ -69,7 +69,7 @@ class DipoleMagnetic(MagneticField):
         return self
 
     def law(self, charge: float) -> Law:
-        """F = q v × B, with B = b/r³."""
+        """Return the force law F = q v × B, with B = b/r³."""
         return DipoleForce((self.x, self.y, 0.0), along(self.way), charge * self.strength)
 
     def rate(self, charge: float, mass: float) -> float:

@@ -25,12 +25,12 @@ class LinearDrag(Medium):
     )
 
     def law(self, charge: float) -> Law:
-        """F = −bv."""
+        """Return the force law F = −bv."""
         del charge
         return Resistance(linear=self.coefficient)
 
     def rate(self, charge: float, mass: float) -> float:
-        """By which the speed decays."""
+        """Return the decay rate of the speed, 1/s."""
         del charge
         return self.coefficient / mass
 
@@ -53,6 +53,6 @@ class QuadraticDrag(Medium):
     )
 
     def law(self, charge: float) -> Law:
-        """F = −c|v|v."""
+        """Return the force law F = −c|v|v."""
         del charge
         return Resistance(quadratic=self.coefficient)

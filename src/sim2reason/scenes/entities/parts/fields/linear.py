@@ -1,4 +1,4 @@
-"""Fields that are proportional to a coordinate."""
+"""Fields that are linear functions of a coordinate."""
 
 from collections.abc import Mapping
 from math import sqrt
@@ -55,25 +55,25 @@ class LinearElectric(ElectricField):
 
     @classmethod
     def fitted(cls, drawn: Mapping[str, object], rng: np.random.Generator) -> Mapping[str, object]:
-        """Return the axis of its direction."""
+        """Return the axis parallel to the field."""
         del rng
         return {"axis": str(drawn["way"])[-1]}
 
     @property
     def signed(self) -> float:
-        """By how much the strength grows along the axis, N/(C m)."""
+        """Return the signed gradient of the field along the axis, N/(C m)."""
         return self.slope if self.trend == "increases" else -self.slope
 
     def law(self, charge: float) -> Law:
-        """F = q (E₀ + k s) along one direction."""
+        """Return the force law F = q (E₀ + k s) along one direction."""
         return Push(along(self.way), Profile(charge * self.strength, charge * self.signed, AXES[self.axis]))
 
     def rate(self, charge: float, mass: float) -> float:
-        """√(qk/m), with which the bead swings, or twice that of one that runs away, which soon becomes fast."""
+        """Return √(qk/m), 1/s, for an oscillation, or twice that for an exponentially growing motion."""
         return (1.0 if self.drives_back(charge) else 2.0) * sqrt(abs(charge) * self.slope / mass)
 
     def drives_back(self, charge: float) -> bool:
-        """Return whether the force draws a charge, uC, to where the field is zero."""
+        """Return whether the force drives a charge, uC, towards the zero of the field."""
         return charge * self.signed * along(self.way)["xy".index(self.axis)] < 0.0
 
 
@@ -103,10 +103,10 @@ class LinearMagnetic(MagneticField):
     )
 
     def law(self, charge: float) -> Law:
-        """F = q v × B, with B = B₀ + βs."""
+        """Return the force law F = q v × B, with B = B₀ + βs."""
         slope = self.slope if self.trend == "increases" else -self.slope
         return Magnetic(along(self.way), Profile(charge * self.strength, charge * slope, AXES[self.axis]))
 
     def rate(self, charge: float, mass: float) -> float:
-        """Return the cyclotron frequency at the origin."""
+        """Return the cyclotron frequency at the origin, rad/s."""
         return abs(charge) * self.strength / mass

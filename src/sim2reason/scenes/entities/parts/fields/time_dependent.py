@@ -42,12 +42,12 @@ class GrowingElectric(ElectricField):
     )
 
     def law(self, charge: float) -> Law:
-        """F = q (E₀ + rt)."""
+        """Return the force law F = q (E₀ + rt)."""
         growth = self.growth if self.trend == "increases" else -self.growth
         return Push(along(self.way), Profile(charge * self.strength, rate=charge * growth))
 
     def rate(self, charge: float, mass: float) -> float:
-        """Return the strength at the start, compared with its growth."""
+        """Return twice the relative growth rate of the initial strength, 1/s."""
         del charge, mass
         return 2.0 * self.growth / self.strength
 
@@ -84,6 +84,6 @@ class OscillatingElectric(ElectricField):
         return Push(along(self.way), Profile(charge * self.strength, frequency=self.frequency, phase=phase))
 
     def rate(self, charge: float, mass: float) -> float:
-        """Return its own."""
+        """Return the angular frequency of the field, rad/s."""
         del charge, mass
         return self.frequency

@@ -30,7 +30,7 @@ class UniformElectric(ElectricField):
     )
 
     def law(self, charge: float) -> Law:
-        """F = qE."""
+        """Return the force law F = qE."""
         return Push(along(self.way), Profile(charge * self.strength))
 
 
@@ -50,7 +50,7 @@ class UniformMagnetic(MagneticField):
     )
 
     def law(self, charge: float) -> Law:
-        """F = q v × B."""
+        """Return the force law F = q v × B."""
         return Magnetic(along(self.way), Profile(charge * self.strength))
 
     def rate(self, charge: float, mass: float) -> float:

@@ -1,1 +1,1 @@
-"""Mechanisms whose equations change as they move, or whose constraints the library itself cannot keep."""
+"""Simulation of mechanisms with changing equations, or with constraints that MuJoCo itself cannot represent."""

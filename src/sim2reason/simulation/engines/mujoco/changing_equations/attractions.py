@@ -1,4 +1,4 @@
-"""What bodies attract each other with, all pairs at once: the load that it puts on the joints."""
+"""Attraction between bodies, computed for all pairs at once as loads on the joints."""
 
 from typing import Any
 
@@ -9,11 +9,11 @@ from sim2reason.scenes.dsl.mechanism import Attraction
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.mujoco.specification import mujoco
 
-NEAREST = 1e-4  # of a distance at the start: nearer than that, rounding would be most of what a step errs by
+NEAREST = 1e-4  # smallest closeness; below, round-off dominates the step error
 
 
 class Attractions:
-    """Pairs of bodies, as arrays."""
+    """All attracting pairs of bodies, as arrays."""
 
     def __init__(
         self,
@@ -23,7 +23,7 @@ class Attractions:
         *,
         straight: bool,
     ) -> None:
-        """`bodies` numbers those of the compiled `model`; `straight`: nothing turns."""
+        """Index the pairs by `bodies` in the compiled `model`; `straight` means that no joint rotates."""
         self._pairs, self._model, self._straight = pairs, model, straight
         self._first = np.array([bodies[pair.a] for pair in pairs], dtype=np.intp)
         self._last = np.array([bodies[pair.b] for pair in pairs], dtype=np.intp)
@@ -35,28 +35,28 @@ class Attractions:
         self._began = self._at_the_start() if pairs else np.zeros(0)
 
     def closeness(self, data: Any) -> float:  # noqa: ANN401 - MuJoCo's
-        """Return how near a pair is, at most 1, relative to the start: what a place may err by shrinks with it.
+        """Return the smallest current distance of a pair relative to the start, at most 1, to scale the step tolerance.
 
-        For where two pass each other closely, a small part of their orbits is a large part of their distance, on which
-        hangs where they are sent.
+        When two bodies pass closely, a small error of their positions is a large part of their distance, which
+        determines their deflection.
         """
         squares = self._squares(data)[1]
         return max(NEAREST, min(1.0, float(np.sqrt((squares / self._began).min()))))
 
     def _at_the_start(self) -> Array:
-        """Return the squares of the distances of each pair before anything moves, m²."""
+        """Return the squared distances of the pairs at the start, (pairs,), m²."""
         data = mujoco.MjData(self._model)
         mujoco.mj_fwdPosition(self._model, data)
         return self._squares(data)[1]
 
     def _squares(self, data: Any) -> tuple[Array, Array]:  # noqa: ANN401 - MuJoCo's
-        """How the centres of mass of each pair lie apart, (pairs, 3) m, and the squares of their distances, m²."""
+        """Return the separation of the centres of mass of each pair, (pairs, 3), m, and its square, (pairs,), m²."""
         places = data.xipos
         apart: Array = places.take(self._last, axis=0) - places.take(self._first, axis=0)
         return apart, np.vecdot(apart, apart)
 
     def load(self, data: Any) -> Array:  # noqa: ANN401 - MuJoCo's
-        """The load on the joints, (joints,): constant·m·m′/rᵖ between centres of mass; masses are those of now."""
+        """Return the load on the joints, (joints,): constant·m·m′/rᵖ between centres of mass, for present masses."""
         apart, squares = self._squares(data)
         if not squares.all():
             pair = self._pairs[int(squares.argmin())]
@@ -66,7 +66,7 @@ class Attractions:
         return (pulls[:, None] * apart).ravel() @ self._moved(data)
 
     def _moved(self, data: Any) -> Array:  # noqa: ANN401 - MuJoCo's
-        """Return how the two of each pair come together, (3·pairs, joints)."""
+        """Return the Jacobian of the separation of each pair, (3·pairs, joints)."""
         if self._apart is not None:
             return self._apart
         for body in self._bodies:

@@ -1,4 +1,4 @@
-"""The loop for mechanisms whose equations change: impacts, forces, steps until the next event, and again."""
+"""The main loop for mechanisms with changing equations: impacts, forces, and steps to the next event."""
 
 import numpy as np
 
@@ -18,16 +18,16 @@ from sim2reason.simulation.engines.mujoco.changing_equations.settling import BEG
 from sim2reason.simulation.engines.mujoco.extrapolation import extrapolated
 from sim2reason.simulation.trace import Event, Trace
 
-PIECES = 24  # of the duration: a step is no longer than one of them, so that its ends tell what lies between,
-STRIDE, FEWEST = 5 / 3, 10  # or than so many intervals between samples, if there are that many steps at least
-FIRST = 0.05  # of such a piece: the first step where something has just left, so that it has left when it returns
-STEPS = 4000
-SHORTEST = 1e-11  # of the duration
-SEGMENTS = 500
+PIECES = 24  # fraction of the duration: the longest step, so that its ends determine the motion between,
+STRIDE, FEWEST = 5 / 3, 10  # or this many intervals between samples, if there are at least so many steps
+FIRST = 0.05  # fraction of such a piece: the first step after a separation, so that the gap is open before it can close
+STEPS = 4000  # largest number of steps
+SHORTEST = 1e-11  # fraction of the duration: the shortest step
+SEGMENTS = 500  # largest number of motion segments
 
 
 def run(mechanism: Mechanism, times: Array) -> Trace:
-    """Return the motion at `times` (m,), in seconds, increasing from 0; see the package for errors."""
+    """Return the motion at `times` (m,), in seconds, increasing from 0; raises as `simulate` of the package does."""
     motion: HardMotion | None = None
     try:
         with np.errstate(over="raise"):
@@ -44,16 +44,16 @@ def run(mechanism: Mechanism, times: Array) -> Trace:
 
 
 class HardMotion(HardSettling):
-    """A motion in the making, from event to event."""
+    """A motion under construction, extended from event to event."""
 
     def __init__(self, mechanism: Mechanism, times: Array) -> None:
-        """At the start; see `run`."""
+        """Initialize at the start of the motion; raises as `run` does."""
         super().__init__(mechanism, times)
         stride = min(STRIDE * float(times[1] - times[0]), self.duration / FEWEST) if len(times) > 2 else 0.0
         self.longest = max(self.duration / PIECES, stride)
 
     def advance(self) -> bool:
-        """Settle the present instant and go on to the next event; False at the end."""
+        """Settle the present instant and advance to the next event; return False at the end."""
         self.model.stand(self.now, self.q, self.v, self.situation)
         goes_on = self.impact()
         self.model.stand(self.now, self.q, self.v, self.situation)
@@ -70,7 +70,7 @@ class HardMotion(HardSettling):
         return self._travel(found)
 
     def _travel(self, found: Found) -> bool:
-        """Step to the next event; False at the end."""
+        """Step to the next event; return False at the end."""
         acting = ActingModel(self.model, self.record, self.situation, found.way)
         self.record.start(found.way, found, self.situation)
         begun, before = acting.knot(self.now, np.concatenate([self.q, self.v]))
@@ -123,7 +123,7 @@ class HardMotion(HardSettling):
                 self.events.append(Event(when, "turn", (coordinate.name,)))
 
     def _happen(self, due: list[Due]) -> bool:
-        """Note what is due; False if it ends the motion."""
+        """Apply the events that are due; return False if one ends the motion."""
         together = any(each.kind == "reach" for each in due)  # what two points at one place seem to do is nothing
         for each in due:
             number = each.number

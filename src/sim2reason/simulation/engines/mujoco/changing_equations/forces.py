@@ -1,4 +1,4 @@
-"""The linear system of all forces in one mode of rows, contacts and friction."""
+"""The linear system of all forces for one state of the constraint rows, contacts and friction."""
 
 from dataclasses import dataclass, field
 from itertools import combinations
@@ -10,13 +10,13 @@ from sim2reason.base.record import record
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.budget import Budget
 
-FLAT = 1e-10  # of the largest: a singular value that is none
-MOST = 3000  # corners that are looked at
-SLIP = 1e-9  # of the largest margin: by how much a corner may violate a condition
+FLAT = 1e-10  # fraction of the largest: a smaller singular value counts as zero
+MOST = 3000  # largest number of vertices to examine
+SLIP = 1e-9  # fraction of the largest margin: violation of a condition tolerated at a vertex
 
 
 def braced(solution: Array, free: Array, conditions: Array) -> Array:
-    """The solution + a combination of the rows of `free` (k, size) for which the least of conditions·x is greatest.
+    """Return the solution plus the combination of the rows of `free` (k, size) that maximizes the least condition.
 
     It lies where k + 1 of the conditions (m, size) are equal, so all such corners are tried. Where nothing bounds it,
     the solution stays as it is.
@@ -43,16 +43,16 @@ def braced(solution: Array, free: Array, conditions: Array) -> Array:
     return np.asarray(solution + best[:-1] @ ways, dtype=np.float64)
 
 
-SINGULAR = 1e-10  # of the largest singular value
-TRY, FORCE = 4_000, 1_500  # operations that a way costs, and for each row and face more
-NEVER = 1e9  # a coefficient of friction that stands for one that never slips
-LARGE = 1e9  # an acceleration or a force beyond it is that of a part without mass, or of none that holds it
-FAINT = 1e-8  # of a pattern of forces without effect: an entry that is none
-HUGE = 1e12  # of what is divided by a pivot that should be zero
+SINGULAR = 1e-10  # fraction of the largest singular value
+TRY, FORCE = 4_000, 1_500  # operations for one contact mode, and for each row and face in addition
+NEVER = 1e9  # friction coefficient that represents a contact that never slips
+LARGE = 1e9  # larger accelerations or forces belong to an unsupported massless part
+FAINT = 1e-8  # fraction of a force pattern without effect: smaller entries count as zero
+HUGE = 1e12  # limit on the growth of a solution by division by a small pivot
 
 
 class Way(NamedTuple):
-    """Which rows act, which faces are closed, how each rough face rubs: 0 sticks, ±1 slips to that side."""
+    """A contact mode: which rows act, which faces are closed, and how each face rubs: 0 sticks, ±1 slips."""
 
     rows: tuple[bool, ...]
     faces: tuple[bool, ...]
@@ -61,7 +61,7 @@ class Way(NamedTuple):
 
 @dataclass(frozen=True)
 class HardInstant:
-    """All that the forces of one instant depend on, in arrays over joints."""
+    """All data that determine the forces at one instant, in arrays over joints."""
 
     inertia: Array
     loads: Array
@@ -72,15 +72,15 @@ class HardInstant:
     rises: list[int]  # joints
     slips: Array  # (faces, joints)
     friction: Array  # (faces,), kinetic
-    holds: Array  # (faces,), the coefficients of static friction
-    sliding: tuple[int, ...]  # the side to which a face slips already; else 0
+    holds: Array  # (faces,), coefficients of static friction
+    sliding: tuple[int, ...]  # the direction in which a face slips already; else 0
     guided: tuple[bool, ...]
-    allowed: tuple[bool, ...]  # the rows that may act
-    budget: Budget = field(default_factory=Budget)  # of the motion that it is an instant of
+    allowed: tuple[bool, ...]  # whether each row may act
+    budget: Budget = field(default_factory=Budget)  # of the motion to which the instant belongs
 
 
 class Faces(NamedTuple):
-    """The joints along which bodies rise from their faces, how these slip (faces, joints), and their friction."""
+    """The joints along which bodies rise from their faces, the slips of these (faces, joints), and their friction."""
 
     rises: list[int]
     slips: Array
@@ -89,18 +89,18 @@ class Faces(NamedTuple):
 
 @dataclass(frozen=True)
 class Found:
-    """Accelerations and all forces of one way; `open_rows` and the like say which of them are not determined."""
+    """Accelerations and all forces of one contact mode; `open_rows` and the like mark undetermined forces."""
 
     way: Way
     x: Array
     rows: Array
     normal: Array
     friction: Array
-    unknown: Array  # (rows + faces + faces,), 1 where a force is not determined
+    unknown: Array  # (rows + faces + faces,), 1 if a force is undetermined
 
 
 class Acting(NamedTuple):
-    """What acts in one way, by number: rows, closed faces, and those of them that stick."""
+    """The active constraints of a contact mode, by index: rows, closed faces, and the sticking ones among these."""
 
     rows: list[int]
     closed: list[int]
@@ -108,7 +108,7 @@ class Acting(NamedTuple):
 
 
 def acting(way: Way, friction: Array) -> Acting:
-    """Return what acts in one way."""
+    """Return the active constraints of a contact mode."""
     closed = [i for i, shut in enumerate(way.faces) if shut]
     sticking = [i for i in closed if friction[i] > 0.0 and way.rubbing[i] == 0]
     return Acting([i for i, acts in enumerate(way.rows) if acts], closed, sticking)
@@ -117,7 +117,7 @@ def acting(way: Way, friction: Array) -> Acting:
 def system(
     inertia: Array, loads: Array, held: list[Array], targets: list[float], faces: "Faces", way: Way, acts: Acting
 ) -> tuple[Array, Array]:
-    """The equations of one way: for accelerations, the forces of rows `held` at `targets`, of faces, and friction."""
+    """Return the equations of one contact mode: for accelerations, `held` rows, normal forces, friction."""
     n, first, second = len(loads), len(held), len(held) + len(acts.closed)
     size = n + second + len(acts.sticking)
     matrix, wanted = np.zeros((size, size)), np.zeros(size)
@@ -136,7 +136,7 @@ def system(
 
 
 def solved(instant: HardInstant, way: Way) -> Found | None:
-    """Return the linear system of one way, solved; None if it has no solution."""
+    """Return the solution of the linear system of one contact mode; None if it has none."""
     instant.budget.spend(TRY + FORCE * (len(way.rows) + len(way.faces)))
     n, faces = len(instant.loads), Faces(instant.rises, instant.slips, instant.friction)
     acts = acting(way, instant.friction)
@@ -165,7 +165,7 @@ def solved(instant: HardInstant, way: Way) -> Found | None:
 
 
 def _conditions(instant: HardInstant, acts: Acting, size: int) -> Array:
-    """What may not be negative, as rows over all unknowns: pulls, normal forces, and what is left of sticking."""
+    """Return the quantities that must not be negative, as rows over all unknowns: pulls, normal forces, grips."""
     n, first = len(instant.loads), len(acts.rows)
     normal = {i: n + first + place for place, i in enumerate(acts.closed)}
     found = [[(n + place, 1.0)] for place, i in enumerate(acts.rows) if not instant.both[i]]
@@ -180,7 +180,7 @@ def _conditions(instant: HardInstant, acts: Acting, size: int) -> Array:
 
 
 def _is_regular(matrix: Array) -> bool:
-    """Whether a system has one solution for any right side: a side taken at random then does not make it huge."""
+    """Return whether a system is regular, tested by the size of the solution for a random right side."""
     scale = np.maximum(np.abs(matrix).max(axis=1, initial=0.0), 1e-300)
     steps: Array = np.arange(1.0, len(matrix) + 1.0)
     side = np.sqrt(2.0) * steps % 1.0 - 0.5
@@ -192,7 +192,7 @@ def _is_regular(matrix: Array) -> bool:
 
 
 def quick(matrix: Array, wanted: Array) -> Array | None:
-    """Return the solution of a system that plainly has one."""
+    """Return the solution of a well-conditioned linear system; None if its accuracy is doubtful."""
     try:
         found: Array = np.asarray(np.linalg.solve(matrix, wanted), dtype=np.float64)
     except np.linalg.LinAlgError:
@@ -204,7 +204,7 @@ def quick(matrix: Array, wanted: Array) -> Array | None:
 
 
 def _least(matrix: Array, wanted: Array) -> tuple[Array | None, Array]:
-    """A solution, or none, and a basis of what can be added to it (free unknowns, all). Rows are scaled to size one."""
+    """Return a least-squares solution, or None, and a basis of the null space (free unknowns, all)."""
     if not len(wanted):
         return wanted, np.zeros((0, 0))
     scale = np.maximum(np.abs(matrix).max(axis=1), 1e-300)
@@ -220,7 +220,7 @@ def _least(matrix: Array, wanted: Array) -> tuple[Array | None, Array]:
 
 @record()
 class Row:
-    """A one-sided row (or one that acts both ways): J·q̈ ≤ target, spare ≥ 0, used up at `rate`."""
+    """A constraint row, usually one-sided: J·q̈ ≤ target, spare ≥ 0, with spare shrinking at `rate`."""
 
     kind: str  # string, rod, prop, foot, hold, stuck
     name: str
@@ -232,13 +232,13 @@ class Row:
 
     @property
     def both(self) -> bool:
-        """Return whether it acts both ways."""
+        """Return whether the row is two-sided."""
         return self.kind in ("rod", "hold", "stuck")
 
 
 @record()
 class Moving:
-    """A point: where it is, its velocity, its acceleration at q̈ = 0, and its Jacobian (3, joints)."""
+    """A point: its position, velocity, acceleration at q̈ = 0, and Jacobian (3, joints)."""
 
     place: Array
     velocity: Array
@@ -248,7 +248,7 @@ class Moving:
 
 @dataclass
 class Situation:
-    """What is switched on or off: forces in regions, engines, pairs that stick together, springs that act one way."""
+    """The on/off state that events change: forces in regions, engines, pairs stuck together, one-sided springs."""
 
     inside: list[list[bool]]
     burning: list[bool]
@@ -256,6 +256,6 @@ class Situation:
     strained: list[bool]
 
     def copy(self) -> "Situation":
-        """Return the same, to be kept."""
+        """Return an independent copy."""
         inside = [list(each) for each in self.inside]
         return Situation(inside, list(self.burning), list(self.stuck), list(self.strained))

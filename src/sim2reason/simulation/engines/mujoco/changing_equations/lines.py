@@ -1,4 +1,4 @@
-"""Lines of a changing mechanism, all at once: how long they are, how that changes, and what springs pull with."""
+"""Lengths of all lines of a mechanism as arrays, with their rates and the forces of springs."""
 
 from collections.abc import Mapping
 from itertools import pairwise
@@ -14,16 +14,16 @@ from sim2reason.simulation.engines.mujoco.specification import mujoco
 
 
 class Pieces(NamedTuple):
-    """The straight pieces of lines: their ends, lengths, directions, and how those move apart (pieces, 3, joints)."""
+    """The straight segments of lines: ends, lengths, directions, and Jacobians of separation (pieces, 3, joints)."""
 
-    places: Array  # of all sites
+    places: Array  # positions of all sites
     runs: Array
     ways: Array
     moved: Array
 
 
 class Lengths(NamedTuple):
-    """Of each line: its length, m, and gradient (lines, joints); and their pieces."""
+    """The lengths of lines, m, with gradients (lines, joints) and straight segments."""
 
     values: Array
     gradients: Array
@@ -31,7 +31,7 @@ class Lengths(NamedTuple):
 
 
 class Lines:
-    """Some lines, as arrays over their straight pieces."""
+    """A set of lines, as arrays over their straight segments."""
 
     def __init__(
         self,
@@ -43,10 +43,10 @@ class Lines:
         straight: bool,
         ways: Mapping[tuple[str, str], Triple],
     ) -> None:
-        """`sites` and `index` number the sites and joints of the compiled `model`; `straight`: nothing turns.
+        """Index the sites and joints of the compiled `model`; `straight` means that no joint rotates.
 
-        `ways` are the directions of pieces that never turn, as unit vectors. Where their ends all but meet, what their
-        places say of it is rounding, and a jerk in what they pull with.
+        `ways` are the unit vectors of segments of constant direction. If the ends of such a segment nearly coincide, a
+        direction computed from their positions would be round-off and would cause a jerk of the force.
         """
         self.lines = lines
         names = sorted({name for line in lines for name in line.through})
@@ -72,7 +72,7 @@ class Lines:
         self._dots = np.zeros_like(self._jacobians)
 
     def lengths(self, data: Any, q: Array) -> Lengths:  # noqa: ANN401 - MuJoCo's
-        """Return how long the lines are, and how that changes with the joints."""
+        """Return the lengths of the lines, with gradients and segments."""
         places = data.site_xpos.take(self._sites, axis=0)
         apart = places.take(self._last, axis=0) - places.take(self._first, axis=0)
         runs, ways = self._directed(apart)
@@ -83,7 +83,7 @@ class Lines:
         return Lengths(values, gradients, Pieces(places, runs, ways, moved))
 
     def _directed(self, apart: Array) -> tuple[Array, Array]:
-        """Return how long pieces are, and their directions, given how their ends lie apart, (pieces, 3)."""
+        """Return the lengths (pieces,) and directions of segments, given the separations of their ends, (pieces, 3)."""
         keeps = self._keeps
         runs: Array = np.sqrt(np.vecdot(apart, apart))
         if not (runs.all() or (runs.astype(bool) | keeps).all()):
@@ -94,7 +94,7 @@ class Lines:
         return np.where(keeps, np.vecdot(apart, self._kept), runs), np.where(keeps[:, None], self._kept, turning)
 
     def bends(self, data: Any, v: Array, pieces: Pieces) -> Array:  # noqa: ANN401 - MuJoCo's
-        """Return the second derivatives of their lengths at q̈ = 0, m/s²."""
+        """Return the second derivatives of the lengths at q̈ = 0, m/s²."""
         places, runs, ways, moved = pieces
         parting = moved @ v
         along = np.vecdot(ways, parting)
@@ -109,11 +109,11 @@ class Lines:
         return self._summed(found)
 
     def _summed(self, parts: Array) -> Array:
-        """Return what pieces have, line by line."""
+        """Return the sums over the segments of each line."""
         return parts if self._single else self._owned @ parts
 
     def _moved(self, data: Any, places: Array) -> Array:  # noqa: ANN401 - MuJoCo's
-        """Return how the ends of each piece move apart, (pieces, 3, joints); always the same where nothing turns."""
+        """Return the Jacobian of the separation of each segment's ends, (pieces, 3, joints)."""
         if self._apart is not None:
             return self._apart
         for number, carrier in enumerate(self._carriers):
@@ -125,10 +125,10 @@ class Lines:
 
 
 class Pulls:
-    """What lines pull with whose tension follows from their length and its rate: springs, and what a hand draws."""
+    """The lines whose tension is a function of length and rate: springs and prescribed pulls."""
 
     def __init__(self, lines: Lines) -> None:
-        """Their laws, as arrays."""
+        """Store the force laws as arrays."""
         self._lines = lines
         laws = [line.law for line in lines.lines]
         self._given, self._stiffness, self._natural, self._damping = (
@@ -137,7 +137,7 @@ class Pulls:
         self._damps = bool(self._damping.any())
 
     def load(self, data: Any, q: Array, v: Array, idle: list[Line]) -> Array:  # noqa: ANN401 - MuJoCo's
-        """Return the load on the joints, (joints,), of all lines but those that are `idle`."""
+        """Return the load on the joints, (joints,), of all lines except `idle` ones."""
         values, gradients, _ = self._lines.lengths(data, q)
         tension = self._given + self._stiffness * (values - self._natural)
         if self._damps:

@@ -1,4 +1,4 @@
-"""Margins that the engine watches while a mode lasts, and the location of events within a step."""
+"""Event margins of a contact mode, and the location of events within a step."""
 
 from collections.abc import Callable, Iterator
 from math import sqrt
@@ -23,11 +23,11 @@ from sim2reason.simulation.engines.mujoco.changing_equations.record import TOGET
 from sim2reason.simulation.engines.mujoco.extrapolation import extrapolated
 
 DISTANCES = frozenset({"gap", "reach", "border", "strain"})
-"""Margins that can dip below zero and rise again within a step."""
+"""The kinds of margins that can dip below zero and rise again within a step."""
 
 
 class Due(NamedTuple):
-    """What is left until something happens, and what: kind, number, side."""
+    """The value of an event margin with its kind, index and side."""
 
     kind: str
     number: int
@@ -36,16 +36,16 @@ class Due(NamedTuple):
 
 
 class ActingModel:
-    """A model in one way of acting: its rates, forces and margins."""
+    """A model in one contact mode, with its rates, forces and event margins."""
 
     def __init__(self, model: HardModel, record: HardRecord, situation: Situation, way: Way) -> None:
-        """Nothing is computed before it is asked for."""
+        """Store the model and contact mode without computing anything."""
         self.model, self.record, self.situation, self.way = model, record, situation, way
         self.rate = self._rate()
         self._unbound = not (way.rows or way.faces)  # nothing constrains it: no force is looked for
 
     def _rate(self) -> Callable[[float, Array], Array]:
-        """Return the rate of (q, v)."""
+        """Return the function that computes the time derivative of (q, v)."""
         model, situation, way, n = self.model, self.situation, self.way, self.model.size
         faces, acts = Faces(model.rises, model.slips, model.friction), acting(way, model.friction)
         free = not (acts.rows or acts.closed)
@@ -68,11 +68,11 @@ class ActingModel:
         return rate
 
     def forces(self) -> Found:
-        """Return all forces of the state at which the model stands."""
+        """Return all forces at the present state of the model."""
         return self.record.forces(self.way)
 
     def knot(self, time: float, values: Array) -> tuple[Knot, list[Due]]:
-        """Return the end of a step, and all margins there."""
+        """Return the knot at the end of a step, and all margins there."""
         n = self.model.size
         if self._unbound:
             return Knot(time, values, self.rate(time, values)), self.margins()
@@ -81,9 +81,9 @@ class ActingModel:
         return Knot(time, values, np.concatenate([values[n:], forces.x])), self._margins(forces)
 
     def closeness(self, knot: Knot) -> float:
-        """By how much less than its tolerance a step from a knot may err, since two are close that attract each other.
+        """Return the factor by which a step tolerance shrinks because attracting bodies are close to each other.
 
-        Where none attract each other, that is 1.
+        Without attraction the factor is 1.
         """
         if not self.model.mechanism.attractions:
             return 1.0
@@ -92,14 +92,14 @@ class ActingModel:
         return self.model.closeness()
 
     def margins(self) -> list[Due]:
-        """Return all margins of the state at which the model stands."""
+        """Return all event margins at the present state of the model."""
         return [*self._places(), *self._switches()] if self._unbound else self._margins(self.forces())
 
     def _margins(self, forces: Found) -> list[Due]:
         return [*self._rows(forces), *self._faces(forces), *self._places(), *self._switches()]
 
     def distances(self) -> list[Due]:
-        """Return those of the margins that are distances, which need no forces."""
+        """Return the margins that are distances, which require no forces."""
         return [due for due in [*self._places(), *self._switches()] if due.kind in DISTANCES]
 
     def _rows(self, forces: Found) -> Iterator[Due]:
@@ -148,38 +148,38 @@ class ActingModel:
                 yield Due("border", number, side, margin if self.situation.inside[number][side] else -margin)
 
 
-TOLERANCE = 2e-8  # of a step, relative
-DRIFT = 1e-5  # how far below zero a margin may begin, as steps and impacts leave it
-ARMED = 1e-7  # what a margin that begins at zero, or a little below, must exceed before it can be due
-TIE = 1e-7  # of the duration: events that are no further apart are simultaneous
-SOUGHT = 12  # tries to end a step where something is due
-CLOSE = 1e-13  # of the duration: how well an event is located
-WIDTH = 1e-4  # of a step, over which a slope is taken
-NARROW = 1e-7  # of a step, over which it is told on which side of its bottom a dip is
-FORESEEN = 1e-5  # of a step: how well its end is foreseen before it is found
-HALVINGS = 30  # tries to find a point of a step at which a distance is less than nothing
+TOLERANCE = 2e-8  # relative tolerance of a step
+DRIFT = 1e-5  # a margin may start this far below zero, as steps and impacts leave it
+ARMED = 1e-7  # value that a margin must exceed after starting at or below zero before it can be due
+TIE = 1e-7  # fraction of the duration: events closer than this are simultaneous
+SOUGHT = 12  # attempts to end a step at an event
+CLOSE = 1e-13  # fraction of the duration: accuracy of an event time
+WIDTH = 1e-4  # fraction of a step: width of the finite difference for a slope
+NARROW = 1e-7  # fraction of a step: width of the finite difference that decides the side of a minimum
+FORESEEN = 1e-5  # fraction of a step: accuracy of the predicted end
+HALVINGS = 30  # attempts to find a point of a step with a negative distance
 
 
 def _room(margin: float, ready: bool) -> float:  # noqa: FBT001 - one of a pair
-    """Return how far a margin may fall short of nothing before it is due; from a hair below on, if it begins there."""
+    """Return the depth below zero at which a margin is due; larger if it starts at or below zero."""
     if ready or margin < -DRIFT:
         return 0.0
     return ARMED + max(0.0, -margin)
 
 
 class EventSearch:
-    """One step, its margins at both ends, and which of them were ever more than nothing."""
+    """The search for events within one step, from the margins at both ends and which of them were ever positive."""
 
     def __init__(
         self, acting: ActingModel, step: tuple[Knot, Knot], ends: tuple[list[Due], list[Due]], armed: list[bool]
     ) -> None:
-        """Nothing is searched yet."""
+        """Store the step without searching."""
         self._acting, self._step, self._ends, self._curve = acting, step, ends, Quintic(*step)
         self._room = [_room(due.value, ready) for due, ready in zip(ends[0], armed, strict=True)]
         self._span = step[1].time - step[0].time
 
     def due(self, duration: float) -> tuple[Knot, list[Due]] | None:
-        """Return the end of the step where something is due first, and what is; None if nothing is."""
+        """Return the end of the step at its first event, and the margins due there; None if nothing is due."""
         start, before = self._step[0], self._ends[0]
         if self._worst(before) < 0.0:
             return start, [due for due, r in zip(before, self._room, strict=True) if due.value + r < 0.0]
@@ -199,9 +199,9 @@ class EventSearch:
         return here, self._simultaneous(margins, duration)
 
     def _change(self, x: float, margins: list[Due]) -> float:
-        """By how much of the step to go on, or back, to where nothing is left: by Newton's method.
+        """Return the change of the step fraction to the zero of the least margin, by Newton's method.
 
-        How fast two points come together is known; once they part they have met, and that was on the other side.
+        The approach speed of two points is known; once they separate, they have met before.
         """
         short = self._worst(margins)
         for due, room in zip(margins, self._room, strict=True):
@@ -212,25 +212,25 @@ class EventSearch:
         return -short / slope if slope else 0.0
 
     def _arm(self, x: float) -> bool:
-        """Whether margins that began as nothing were more than that at a fraction of the step: such count from zero."""
+        """Update which margins became positive at a fraction of the step; return whether any did."""
         risen = [room > 0.0 and due.value > ARMED for room, due in zip(self._room, self._between(x), strict=True)]
         self._room = [0.0 if rose else room for rose, room in zip(risen, self._room, strict=True)]
         return any(risen)
 
     def _simultaneous(self, margins: list[Due], duration: float) -> list[Due]:
-        """Return what is due, and what will be within a tie."""
+        """Return the margins that are due, or will be within the tolerance of simultaneous events."""
         speeds = [abs(b.value - a.value) / self._span for a, b in zip(*self._ends, strict=True)]
         near = [max(1e-9, TIE * duration * speed) for speed in speeds]
         return [due for due, r, close in zip(margins, self._room, near, strict=True) if due.value + r <= close]
 
     def _worst(self, margins: list[Due]) -> float:
-        """What is left of the margin that has least; once two points of a line have met, forces there mean nothing."""
+        """Return the least margin value; if two points of a line have met, that of their distance alone."""
         left = [(due.value + r, due.kind) for due, r in zip(margins, self._room, strict=True)]
         met = min((value for value, kind in left if kind == "reach"), default=1.0)
         return met if met < 0.0 else min(left, default=(1.0, ""))[0]
 
     def _foreseen(self) -> float | None:
-        """The fraction of the step at which something is due, by the curve between its ends; None if nothing is."""
+        """Return the fraction of the step at which an event is predicted by interpolation; None if there is none."""
         high = 0.5 if self._left(0.5) < 0.0 else 1.0
         if high == 1.0 and self._worst(self._ends[1]) >= 0.0:
             dip = self._dip()
@@ -240,7 +240,7 @@ class EventSearch:
         return self._crossing(0.0, high)
 
     def _crossing(self, low: float, high: float) -> float:
-        """Return the end of a short piece of the step in which the last is used up; each piece is halved at least.
+        """Return the upper end of a short interval of the step in which the least margin changes sign.
 
         Guesses are those of C. Ridders, A new algorithm for computing a single root, IEEE Trans. Circuits Syst. 26
         (1979), and are bracketed at once.
@@ -259,7 +259,7 @@ class EventSearch:
         return high
 
     def _dip(self) -> float | None:
-        """Return where a distance that is left at both ends of the step is used up between them.
+        """Return a fraction of the step at which a distance is negative though it is positive at both ends.
 
         It falls at the first and rises at the second, and the tangents there meet below zero, or two points of a line
         come together, which may bend the tangents the other way.
@@ -278,7 +278,7 @@ class EventSearch:
         return None
 
     def _bottom(self, number: int, x: float) -> float | None:
-        """Return a fraction of the step at which a distance is less than nothing, sought from `x` on down its slope."""
+        """Return a fraction of the step at which a distance is negative, sought from `x` along its slope; else None."""
         low, high = 0.0, 1.0
         for _ in range(HALVINGS):
             value, after = (self._distances(each)[number] for each in (x, x + NARROW))
@@ -289,12 +289,12 @@ class EventSearch:
         return None
 
     def _distances(self, x: float) -> list[float]:
-        """Return the margins at a fraction of the step that are distances."""
+        """Return the distances among the margins at a fraction of the step."""
         self._stand(x)
         return [due.value for due in self._acting.distances()]
 
     def _left(self, x: float) -> float:
-        """Return what is left of the worst margin at a fraction of the step, by the curve between its ends."""
+        """Return the least margin value at a fraction of the step, by interpolation between its ends."""
         return self._worst(self._between(x))
 
     def _between(self, x: float) -> list[Due]:

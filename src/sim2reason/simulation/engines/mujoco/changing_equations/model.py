@@ -1,7 +1,7 @@
-"""A mechanism whose equations change, in the library's terms: its mass matrix, bias and Jacobians at any state.
+"""The MuJoCo model of a mechanism with changing equations: mass matrix, bias and Jacobians at any state.
 
-What acts beyond gravity (lines, forces, attraction, engines) is added here from the library's
-Jacobians; nothing of the library's own soft constraints is used.
+Loads beyond gravity (lines, forces, attraction, engines) are added here by means of MuJoCo's Jacobians; MuJoCo's own
+soft constraints are not used.
 """
 
 from typing import Any
@@ -20,14 +20,14 @@ from sim2reason.simulation.engines.mujoco.changing_equations.lines import Length
 from sim2reason.simulation.engines.mujoco.changing_equations.specification import HardSpecification
 from sim2reason.simulation.engines.mujoco.specification import mujoco
 
-STAND, JOINT = 2_000, 800  # operations that it costs to go to a state, and for each joint more
+STAND, JOINT = 2_000, 800  # operations to set a state, and for each joint in addition
 
 
 class HardModel:
-    """The compiled mechanism, at one state at a time."""
+    """The compiled mechanism, set to one state at a time."""
 
     def __init__(self, mechanism: Mechanism) -> None:
-        """Compile; SimulationError for what the library refuses."""
+        """Compile the mechanism; raise SimulationError if MuJoCo rejects it."""
         self.mechanism = mechanism
         self.budget = Budget(2 * OPERATIONS)
         spec = HardSpecification(mechanism)
@@ -55,7 +55,7 @@ class HardModel:
         self.begin()
 
     def _slips(self) -> Array:
-        """Return how the surfaces of each face slip, (faces, joints)."""
+        """Return the gradients of the slip of each face, (faces, joints)."""
         found = np.zeros((len(self.mechanism.faces), self.size))
         for number, face in enumerate(self.mechanism.faces):
             for name, factor in face.slip:
@@ -65,7 +65,7 @@ class HardModel:
     # ---- one state
 
     def begin(self) -> None:
-        """Stand at the start, and note the lengths there."""
+        """Set the initial state and store the initial lengths."""
         rest = np.zeros(self.size)
         burns, meetings, halves = self.mechanism.burns, self.mechanism.meetings, self.mechanism.half_springs
         start = Situation([], [False] * len(burns), [False] * len(meetings), [False] * len(halves))
@@ -73,7 +73,7 @@ class HardModel:
         self._starts = self._lines()[0].values
 
     def stand(self, time: float, q: Array, v: Array, situation: Situation) -> None:
-        """Go to a state of the joints."""
+        """Set the positions and velocities of the joints at a time."""
         self.budget.spend(STAND + JOINT * self.size)
         self.time, self.q, self.v, self._situation = time, q, v, situation
         self._points: dict[tuple[str, str], Moving] = {}
@@ -97,21 +97,21 @@ class HardModel:
         mujoco.mj_setConst(self._model, self._data)
 
     def inertia(self) -> Array:
-        """Return the library's mass matrix, (joints, joints)."""
+        """Return MuJoCo's mass matrix, (joints, joints)."""
         if self.size:
             mujoco.mj_fullM(self._model, self._data, self._mass)
         return self._mass
 
     def unheld(self, loads: Array) -> Array:
-        """Return the accelerations under `loads`, (joints,), where no row and no face acts."""
+        """Return the accelerations (joints,) under `loads` (joints,) without any constraint."""
         found = np.zeros((1, self.size))
         mujoco.mj_solveM(self._model, self._data, found, loads[None])
         return np.asarray(found[0], dtype=np.float64)
 
     def held(self, loads: Array, gradients: Array, targets: Array) -> Array | None:
-        """The accelerations under `loads` where some rows (rows, joints) act and no face does; None if that is not so.
+        """Return the accelerations (joints,) under `loads` with only these rows (rows, joints) acting; None on failure.
 
-        They are those without rows, less what the pulls of the rows give, of which there are few: M⁻¹Jᵀλ.
+        They are the accelerations without rows, corrected by the few constraint forces: M⁻¹Jᵀλ.
         """
         sides = np.concatenate([loads[None], gradients])
         found = np.zeros_like(sides)
@@ -130,7 +130,7 @@ class HardModel:
         return x if abs(x).max(initial=0.0) < LARGE else None
 
     def _moving(self, kind: str, name: str) -> Moving:
-        """Return a site or a centre of mass."""
+        """Return the position, velocity and Jacobian of a site or a centre of mass."""
         known = self._points.get((kind, name))
         if known is not None:
             return known
@@ -157,21 +157,21 @@ class HardModel:
         return found
 
     def place(self, site: str) -> Array:
-        """Return where a site is, (3,)."""
+        """Return the position of a site, (3,)."""
         return np.array(self._data.site_xpos[self._site_id[site]])
 
     def site(self, name: str) -> Moving:
-        """Return a site."""
+        """Return the position, velocity and Jacobian of a site."""
         return self._moving("site", name)
 
     def center(self, name: str) -> Moving:
-        """Return the centre of mass of a body."""
+        """Return the position, velocity and Jacobian of the centre of mass of a body."""
         return self._moving("body", name)
 
     # ---- loads
 
     def loads(self) -> Array:
-        """All that acts but constraints, (joints,): gravity and inertia by the library, the rest by its Jacobians."""
+        """Return all loads except constraint forces, (joints,), including gravity and inertial loads."""
         total = -np.array(self._data.qfrc_bias)
         mechanism = self.mechanism
         if self._drawn.lines:
@@ -192,29 +192,29 @@ class HardModel:
         return total
 
     def closeness(self) -> float:
-        """Return how near two are that attract each other, at most 1, relative to the start."""
+        """Return the smallest distance of an attracting pair relative to the start, at most 1."""
         return self._attracted.closeness(self._data)
 
     # ---- lengths and rows
 
     def _lines(self) -> tuple[Lengths, Array]:
-        """Return how long the lines are that are rows, and the second derivatives of that at q̈ = 0."""
+        """Return the lengths of the constrained lines, and their second derivatives at q̈ = 0."""
         if self._measured is None:
             found = self._rowed.lengths(self._data, self.q)
             self._measured = found, self._rowed.bends(self._data, self.v, found.pieces)
         return self._measured
 
     def rows(self) -> list[Row]:
-        """Return all rows: lines, two for each foot, pairs that stick together."""
+        """Return all constraint rows: lines, two rows for each foot, pairs that stick together."""
         return [self.row(number) for number in range(self.count)]
 
     @property
     def count(self) -> int:
-        """Return how many rows there are."""
+        """Return the number of constraint rows."""
         return len(self._rowed.lines) + 2 * len(self.mechanism.feet) + sum(self._situation.stuck)
 
     def row(self, number: int) -> Row:
-        """Return one row."""
+        """Return one constraint row by its index."""
         lines, feet = len(self._rowed.lines), 2 * len(self.mechanism.feet)
         if number < lines:
             return self._line_row(number)
@@ -226,7 +226,7 @@ class HardModel:
         return Row("stuck", " and ".join(meeting.names), -gradient, gap, -rate, bias)
 
     def _foot_row(self, index: int, number: int) -> Row:
-        """Return what keeps a foot above its plane, or, after it, from slipping there."""
+        """Return the row that keeps a foot above its plane (even index) or from slipping on it."""
         foot = self.mechanism.feet[index]
         point, normal = self.site(foot.site), np.array(foot.normal)
         gap = float(normal @ point.place) - foot.height
@@ -250,7 +250,7 @@ class HardModel:
         return Row(line.law.row, line.name, gradient, spare, rate + line.law.reel, -bias)
 
     def separation(self, meeting: Meeting) -> tuple[float, float, Array, float]:
-        """Return the gap of a meeting, its rate, gradient and second derivative at q̈ = 0."""
+        """Return the gap of a collision pair, its rate, gradient and second derivative at q̈ = 0."""
         other = self.center(meeting.b)
         still = np.zeros(3)
         one = Moving(still, still, still, np.zeros((3, self.size))) if meeting.a is None else self.center(meeting.a)
@@ -271,7 +271,7 @@ class HardModel:
         return [float(margin) for margin in force.region.margins(place, np)]
 
     def strain(self, number: int) -> tuple[float, float]:
-        """Return how far a spring that acts one way is on the side where it does, m, and the rate of that."""
+        """Return the active deformation of a one-sided spring, m, and its rate."""
         line, law = self.mechanism.half_springs[number]
         place = self._drawn.lines.index(line)
         found = self._drawn.lengths(self._data, self.q)
@@ -280,7 +280,7 @@ class HardModel:
 
     @property
     def friction(self) -> Array:
-        """Of each face; a large number stands for one that never slips."""
+        """Return the friction coefficients of the faces; a large number represents a face that never slips."""
         return np.array([min(face.friction, NEVER) for face in self.mechanism.faces])
 
 

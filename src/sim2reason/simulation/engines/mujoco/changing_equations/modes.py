@@ -1,7 +1,8 @@
-"""What acts at an instant, found by trying: of all ways in which rows, faces and friction can act, the one that holds.
+"""Search for the consistent contact mode of rows, faces and friction at an instant.
 
-Ways are tried in the order of how much they change. Forces and impulses are the same problem, for accelerations and
-for velocities after an impact. Rows pull or push one way, faces press or come apart, friction holds or is µN.
+Modes are tried in the order of the number of changes from a guess. Forces and impulses are the same problem, for
+accelerations and for velocities after an impact. Rows pull or push one way, faces press or separate, friction sticks
+or is µN.
 """
 
 from collections.abc import Iterator
@@ -12,16 +13,16 @@ import numpy as np
 from sim2reason.errors import SimulationError
 from sim2reason.simulation.engines.mujoco.changing_equations.forces import NEVER, Found, HardInstant, Way, solved
 
-SMALL = 1e-9  # of the largest load or acceleration: what still counts as zero
-MOST = 4000  # ways that are tried
-MENDS = 30  # of which the first come of changing what does not hold
+SMALL = 1e-9  # fraction of the largest load or acceleration: smaller values count as zero
+MOST = 4000  # largest number of contact modes to try
+MENDS = 30  # largest number of modes tried by correcting violated conditions
 
 Change = tuple[str, int, int]
-"""Of ``rows``, ``faces`` or ``rubbing``: which, and to what."""
+"""A change of a contact mode: ``rows``, ``faces`` or ``rubbing``, the index, and the new state."""
 
 
 def search(instant: HardInstant, guess: Way) -> Found:
-    """Return the way that holds, nearest to a guess; SimulationError if none does."""
+    """Return the solution of the consistent contact mode nearest to a guess; raise SimulationError if none exists."""
     start = replace_rows(instant, guess)
     found = _mended(instant, start) or next(
         (each for way in islice(_ways(instant, guess), MOST) if (each := _held(instant, way)) is not None), None
@@ -32,13 +33,13 @@ def search(instant: HardInstant, guess: Way) -> Found:
 
 
 def _held(instant: HardInstant, way: Way) -> Found | None:
-    """Return the forces of a way if it holds."""
+    """Return the solution of a contact mode if it is consistent, else None."""
     found = solved(instant, way)
     return None if found is None or _wrong(instant, found) else found
 
 
 def _unchanged(instant: HardInstant, start: Way, found: Found) -> Way:
-    """Return the way found, but for changes that nothing shows: what neither parts nor slips acts as it did."""
+    """Return the mode of a solution without changes from `start` that have no observable effect."""
     small, way = _little(instant, found), found.way
     rates = [float(row @ found.x) - target for row, target in zip(instant.rows, instant.targets, strict=True)]
     rows = [acts or (was and abs(rate) <= small) for acts, was, rate in zip(way.rows, start.rows, rates, strict=True)]
@@ -52,12 +53,12 @@ def _unchanged(instant: HardInstant, start: Way, found: Found) -> Way:
 
 
 def _little(instant: HardInstant, found: Found) -> float:
-    """Return the acceleration, or velocity, that is none."""
+    """Return the acceleration, or velocity in an impact, below which values count as zero."""
     return SMALL * max(float(np.abs(found.x).max(initial=0.0)), float(np.abs(instant.targets).max(initial=0.0)), 1.0)
 
 
 def _mended(instant: HardInstant, way: Way) -> Found | None:
-    """Return the way that comes of changing what does not hold until all does; None if that goes in circles."""
+    """Return a consistent solution found by correcting violated conditions repeatedly; None if this cycles."""
     tried: set[Way] = set()
     while len(tried) < MENDS:
         found = solved(instant, way)
@@ -75,7 +76,7 @@ def _mended(instant: HardInstant, way: Way) -> Found | None:
 
 
 def _ways(instant: HardInstant, guess: Way) -> Iterator[Way]:
-    """Yield all ways, those that change least first."""
+    """Yield all contact modes, those with the fewest changes first."""
     free = [
         number
         for number, ok in enumerate(instant.allowed)
@@ -95,7 +96,7 @@ def _ways(instant: HardInstant, guess: Way) -> Iterator[Way]:
 
 
 def replace_rows(instant: HardInstant, guess: Way) -> Way:
-    """Return a guess with what may not act left out, what is held acting, and faces that slip already slipping."""
+    """Return a guess without disallowed rows, with two-sided rows acting, and with slipping faces as prescribed."""
     rows = tuple(
         (acts or both) and ok for acts, both, ok in zip(guess.rows, instant.both, instant.allowed, strict=True)
     )
@@ -118,12 +119,12 @@ def _linked(instant: HardInstant, way: Way) -> Way:
 
 
 def replace_tuple(way: Way, rows: tuple[bool, ...]) -> Way:
-    """Return a way with other rows."""
+    """Return the contact mode with other rows."""
     return way._replace(rows=rows)
 
 
 def _wrong(instant: HardInstant, found: Found) -> tuple[Change, ...]:
-    """Return what should be otherwise: what pulls and can only push, what gives way and would hold."""
+    """Return the changes that correct the violated conditions of a solution; empty if it is consistent."""
     way = found.way
     force = SMALL * max(float(np.abs(instant.loads).max(initial=0.0)), 1e-3)
     small = _little(instant, found)
@@ -145,7 +146,7 @@ def _wrong(instant: HardInstant, found: Found) -> tuple[Change, ...]:
 
 
 def _rubs_wrong(instant: HardInstant, found: Found, i: int, force: float, small: float) -> list[Change]:
-    """Return how a rough face should rub instead, if it should."""
+    """Return the changes of the friction of a rough face that correct its violated condition."""
     if instant.friction[i] >= NEVER:
         return []
     side, held = found.way.rubbing[i], float(found.friction[i])
@@ -157,5 +158,5 @@ def _rubs_wrong(instant: HardInstant, found: Found, i: int, force: float, small:
 
 
 def everything(rows: int, faces: int) -> Way:
-    """Return the way in which all acts and sticks."""
+    """Return the contact mode in which all constraints act and all contacts stick."""
     return Way((True,) * rows, (True,) * faces, (0,) * faces)

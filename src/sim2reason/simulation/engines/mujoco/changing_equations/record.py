@@ -1,4 +1,4 @@
-"""What the steps of a changing mechanism leave behind, and the motion at any time between them."""
+"""The recorded steps of a mechanism with changing equations, and interpolation between them."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
@@ -20,16 +20,16 @@ from sim2reason.simulation.engines.mujoco.changing_equations.forces import (
 )
 from sim2reason.simulation.engines.mujoco.changing_equations.model import HardModel
 
-TOGETHER = 1e-6  # m; the same where they may pass each other aside, since no sign tells
-MEET = 1e-9  # m; ends of a line that are no farther apart have met
+TOGETHER = 1e-6  # m; the same if the ends may pass each other, as the sign is unknown
+MEET = 1e-9  # m; ends of a line that are closer coincide
 
 
-ALIKE = 0.1  # of a step: one beside it that is shorter, or longer by as much, is left out of the curve through it
+ALIKE = 0.1  # fraction of a step: neighbouring steps of a more different size are left out of the interpolation
 
 
 @dataclass(frozen=True)
 class Knot:
-    """The end of a step: joint positions and rates, and their rates."""
+    """The end of a step: joint positions and velocities, and their time derivatives."""
 
     time: float
     values: Array  # (2·joints,)
@@ -38,7 +38,7 @@ class Knot:
 
 @dataclass
 class Stretch:
-    """The knots of one way of acting."""
+    """The knots of one contact mode, in order of time."""
 
     way: Way
     found: Found
@@ -47,10 +47,10 @@ class Stretch:
 
 
 class Quintic:
-    """Hermite's curve through both ends of a step, with their first and second derivatives."""
+    """The quintic Hermite interpolation of a step, from values, first and second derivatives at both ends."""
 
     def __init__(self, first: Knot, last: Knot) -> None:
-        """Its coefficients, found once."""
+        """Compute the coefficients of the interpolation."""
         n = len(first.values) // 2
         self._time, self._span = first.time, last.time - first.time
         h = self._span
@@ -68,7 +68,7 @@ class Quintic:
         self._start = first.values
 
     def at(self, time: float) -> tuple[Array, Array]:
-        """Positions and rates at a time of the step, (joints,) each."""
+        """Return positions and velocities at a time of the step, (joints,) each."""
         if self._span <= 0.0:
             n = len(self._start) // 2
             return self._start[:n], self._start[n:]
@@ -80,7 +80,7 @@ class Quintic:
 
 
 def through(knots: Sequence[Knot], times: Array) -> Array:
-    """Positions and rates at times on the curve through knots: Hermite's, with second derivatives, (m, 2·joints)."""
+    """Return positions and velocities at times, (m, 2·joints), by Hermite interpolation through knots."""
     n, origin = len(knots[0].values) // 2, knots[0].time
     h = knots[-1].time - origin
     if h <= 0.0:
@@ -95,7 +95,7 @@ def through(knots: Sequence[Knot], times: Array) -> Array:
 
 
 def _beside(knots: Sequence[Knot], place: int) -> Sequence[Knot]:
-    """Return both ends of a step, and two knots more where steps of about its size lie beside it."""
+    """Return both ends of a step, and the next knots on both sides if those steps are of similar size."""
     first, last = place, min(place + 1, len(knots) - 1)
     span = knots[last].time - knots[first].time
     for _ in range(2):
@@ -113,7 +113,7 @@ def _is_alike(step: float, span: float) -> bool:
 
 
 def _powers(x: Array, powers: Array) -> tuple[Array, Array, Array]:
-    """Return all powers of numbers, and their first and second derivatives, (numbers, powers) each."""
+    """Return all powers of numbers, with their first and second derivatives, (numbers, powers) each."""
     column = x[:, None]
     place = column**powers
     rate = powers * column ** np.maximum(powers - 1.0, 0.0)
@@ -122,17 +122,17 @@ def _powers(x: Array, powers: Array) -> tuple[Array, Array, Array]:
 
 
 class HardRecord:
-    """All stretches of a motion, in order of time."""
+    """All recorded segments of a motion, in order of time."""
 
     def __init__(self, model: HardModel) -> None:
-        """Nothing has moved yet."""
+        """Start without segments."""
         self._model = model
         self.stretches: list[Stretch] = []
         self.runs = self._runs()
         self._ways = [model.ways.get(run) for run in self.runs]
 
     def _runs(self) -> list[tuple[str, str]]:
-        """Return the straight pieces of lines whose ends may come together."""
+        """Return the ends of the straight line segments that may coincide."""
         found: dict[tuple[str, str], None] = {}
         for line in self._model.mechanism.lines:
             if not isinstance(line.law, Rigid):
@@ -145,13 +145,13 @@ class HardRecord:
         return moving
 
     def run_length(self, number: int) -> float:
-        """How far apart the ends of a piece are, m; negative as soon as they meet on a line, where its pull turns."""
+        """Return the distance of a segment's ends, m; negative after they have passed through each other on a line."""
         first, last = self.runs[number]
         apart, way = self._model.place(last) - self._model.place(first), self._ways[number]
         return float(np.linalg.norm(apart) - TOGETHER if way is None else apart @ np.array(way) - MEET)
 
     def run_rate(self, number: int) -> float:
-        """Return how fast the ends of a piece part, m/s, in the state at which the model stands."""
+        """Return the rate of change of the distance of a segment's ends at the present state, m/s."""
         first, last = (self._model.site(name) for name in self.runs[number])
         apart, parting = last.place - first.place, last.velocity - first.velocity
         way, far = self._ways[number], float(np.linalg.norm(apart))
@@ -161,19 +161,19 @@ class HardRecord:
 
     @property
     def last(self) -> Knot:
-        """The latest knot."""
+        """Return the latest knot."""
         return self.stretches[-1].knots[-1]
 
     def start(self, way: Way, found: Found, situation: Situation) -> None:
-        """Begin a stretch."""
+        """Begin a segment in a contact mode."""
         self.stretches.append(Stretch(way, found, situation.copy()))
 
     def add(self, knot: Knot) -> None:
-        """Note the end of a step."""
+        """Append the end of a step."""
         self.stretches[-1].knots.append(knot)
 
     def state(self, times: Array) -> State:
-        """Return the motion at `times`, s; forces are found anew there. After the end the last knot stays."""
+        """Return the motion at `times`, s, with forces recomputed; beyond the end the last knot is repeated."""
         model, mechanism = self._model, self._model.mechanism
         lines = [line.name for line in mechanism.constraints]
         n, m = model.size, len(times)
@@ -199,7 +199,7 @@ class HardRecord:
         return State.of(mechanism, times, (q, v), dynamics)
 
     def _joints(self, times: Array) -> Iterator[tuple[Stretch, Array]]:
-        """For each time the stretch that it belongs to, and the joints then: on the curve through three knots."""
+        """Yield each recorded segment with the interpolated joint values at the times within it."""
         starts = [stretch.knots[0].time for stretch in self.stretches]
         owners = np.maximum(np.searchsorted(starts, times, side="right") - 1, 0)
         for number, stretch in enumerate(self.stretches):
@@ -213,7 +213,7 @@ class HardRecord:
                         yield stretch, values
 
     def forces(self, way: Way) -> Found:
-        """Return the forces of one way at the state at which the model stands; SimulationError if they don't exist."""
+        """Return the forces of a contact mode at the present state; raise SimulationError if they do not exist."""
         rows = self._model.rows()
         found = solved(at_present(self._model, rows, way.rubbing, (True,) * len(rows)), way)
         if found is None:
@@ -222,7 +222,7 @@ class HardRecord:
 
 
 def at_present(model: HardModel, rows: list[Row], sliding: tuple[int, ...], allowed: tuple[bool, ...]) -> HardInstant:
-    """Return the numbers of the state at which a model stands."""
+    """Return the data for the forces at the present state of a model."""
     return HardInstant(
         model.inertia().copy(),
         model.loads(),

@@ -1,4 +1,4 @@
-"""One instant of a changing mechanism: impacts, then what acts, noted as events."""
+"""One instant of a mechanism with changing equations: impacts, then the acting forces, recorded as events."""
 
 from dataclasses import replace
 
@@ -20,19 +20,19 @@ from sim2reason.simulation.engines.mujoco.changing_equations.modes import everyt
 from sim2reason.simulation.engines.mujoco.changing_equations.record import HardRecord, Knot, at_present
 from sim2reason.simulation.trace import Event
 
-TOUCHING = 1e-7  # m; less is no distance
-STILL = 1e-6  # m/s or m/s²; less is no speed
-SAME = 8  # events back among which one is looked for that says the same
-CROWD = 5e-3  # s; a body that is hit again, or a string that jerks again, sooner has too much happen at once
-BEGINS = {"string": "taut", "prop": "land", "foot": "land"}
-STOPS = {"string": "slack", "prop": "leave", "foot": "leave"}
+TOUCHING = 1e-7  # m; smaller distances count as contact
+STILL = 1e-6  # m/s or m/s²; slower motion counts as rest
+SAME = 8  # latest events that are compared to avoid duplicates
+CROWD = 5e-3  # s; repeated impacts of one body, or jerks of one string, within this time end the motion
+BEGINS = {"string": "taut", "prop": "land", "foot": "land"}  # kind of the event at which a constraint begins to act
+STOPS = {"string": "slack", "prop": "leave", "foot": "leave"}  # kind of the event at which a constraint ceases to act
 
 
 class HardSettling:
-    """A motion in the making: the present state, what is behind it, and what acts now."""
+    """A motion under construction: the present state, the recorded segments and the present contact mode."""
 
     def __init__(self, mechanism: Mechanism, times: Array) -> None:
-        """Compile the mechanism, and stand at its start; the motion is followed to the last of `times`, s."""
+        """Compile the mechanism and set its initial state; the last of `times` is the end, s."""
         self.mechanism, self.duration = mechanism, float(times[-1])
         self.model = HardModel(mechanism)
         self.now = 0.0
@@ -59,7 +59,7 @@ class HardSettling:
         self.cut = ""
 
     def settle(self) -> Found:
-        """Return what acts now; notes what changed, and what ends the motion."""
+        """Compute the acting forces; record the changes and any event that ends the motion."""
         rows = self.model.rows()
         sliding = self._sliding()
         allowed = tuple(self._may_act(i, row) for i, row in enumerate(rows))
@@ -79,7 +79,7 @@ class HardSettling:
         return found
 
     def _guess(self, rows: list[Row], sliding: tuple[int, ...]) -> Way:
-        """Return a first guess of the mode: rows keep acting, and contacts that do not slip stick."""
+        """Return a first guess of the contact mode: rows keep acting, and contacts that do not slip stick."""
         faces = len(self.mechanism.faces)
         if self.way is None:
             return everything(len(rows), faces)
@@ -90,7 +90,7 @@ class HardSettling:
         return Way(tuple(acting), self.way.faces, sliding)
 
     def _sliding(self) -> tuple[int, ...]:
-        """Return the sides to which faces slip; one at the border of friction begins to slip to its side."""
+        """Return the direction of slip of each face; a face at the friction limit begins to slip."""
         speeds = self.model.slips @ self.v
         sides = [int(np.sign(speed)) if abs(speed) > STILL else 0 for speed in speeds]
         for due in self.due:
@@ -112,7 +112,7 @@ class HardSettling:
         return row.spare <= TOUCHING and abs(row.rate) <= 1e2 * STILL
 
     def _tear(self, rows: list[Row], a: Array) -> None:
-        """A foot that no longer presses and comes down at once, as nothing holds it along its plane: it had to slip."""
+        """Record the end of the motion if a foot that loses contact would return at once, since it must slip first."""
         for due in self.due:
             if due.kind == "force" and rows[due.number].kind == "foot":
                 row = rows[due.number]
@@ -120,7 +120,7 @@ class HardSettling:
                     self.end("lift", row.name)
 
     def _pressed(self, a: Array) -> None:
-        """Two bodies that rest against each other and are pressed together: hits without number."""
+        """Record the end of the motion if two resting bodies are pressed together, which causes endless hits."""
         for number, meeting in enumerate(self.mechanism.meetings):
             if not self.situation.stuck[number]:
                 gap, rate, gradient, bias = self.model.separation(meeting)
@@ -143,7 +143,7 @@ class HardSettling:
     # ---- impacts
 
     def impact(self) -> bool:
-        """Let what meets bounce and what is used up jerk; False at the end."""
+        """Compute all impacts and jerks at an instant; return False at the end of the motion."""
         rows = self.model.rows()
         acts = [self.way is not None and i < len(self.way.rows) and self.way.rows[i] for i in range(len(rows))]
         snapped = [
@@ -176,13 +176,13 @@ class HardSettling:
         return not self.cut
 
     def meets(self) -> bool:
-        """Return whether any touching bodies that do not stick together move towards each other."""
+        """Return whether any touching bodies that do not stick together approach each other."""
         near = (self.model.separation(meeting) for meeting in self.mechanism.meetings)
         pairs = zip(near, self.situation.stuck, strict=True)
         return any(gap <= TOUCHING and rate < -STILL and not stuck for (gap, rate, *_), stuck in pairs)
 
     def _strike(self, rows: list[Row], acts: list[bool], touching: list[int]) -> None:
-        """Velocities just after: the problem of forces, with momenta as loads."""
+        """Compute the velocities just after an impact: the problem of forces, with momenta as loads."""
         instant, every = self._struck(rows, acts, touching)
         speeds = self.model.slips @ self.v
         sides = tuple(
@@ -208,7 +208,7 @@ class HardSettling:
             self.record.add(Knot(self.now, np.concatenate([self.q, self.v]), np.concatenate([self.v, 0.0 * self.v])))
 
     def _struck(self, rows: list[Row], acts: list[bool], touching: list[int]) -> tuple[HardInstant, list[Row]]:
-        """Return the problem of an impact, and its rows, those of the pairs that touch last."""
+        """Return the problem of an impact, and its rows, those of the touching pairs last."""
         hits: list[Row] = []
         for number in touching:
             meeting = self.mechanism.meetings[number]
@@ -221,7 +221,7 @@ class HardSettling:
         return replace(instant, loads=instant.inertia @ self.v, targets=np.array(targets)), every
 
     def _crowded(self, hits: list[int], snapped: list[str]) -> bool:
-        """End at the earlier hit if a body is hit again too soon, or a string jerks again."""
+        """End the motion if a body is hit, or a string jerks, again too soon."""
         names = [name for i in hits for name in self.mechanism.meetings[i].names]
         recent = [self.hits[name] for name in names if name in self.hits]
         recent += [self.jerks[name] for name in snapped if name in self.jerks]
@@ -240,6 +240,6 @@ class HardSettling:
             self.events.append(event)
 
     def end(self, kind: str, *subjects: str) -> None:
-        """An event that ends the description, now."""
+        """Record an event that ends the motion now."""
         self.note(kind, *subjects)
         self.cut = self.cut or kind

@@ -1,7 +1,7 @@
-"""A mechanism whose equations change, said with MjSpec: bodies, joints and sites, and no constraint of the library's.
+"""The MjSpec description of a mechanism with changing equations: bodies, joints and sites, without constraints.
 
-Bodies move by slide and hinge joints. A body on a face has one more slide joint, along the face's normal, which its
-contact keeps closed.
+Bodies move by slide and hinge joints. A body on a face has an additional slide joint along the face's normal, which
+its contact keeps closed.
 """
 
 from collections.abc import Sequence
@@ -11,14 +11,14 @@ from sim2reason.errors import SimulationError
 from sim2reason.scenes.dsl.mechanism import Mechanism, RigidBody
 from sim2reason.simulation.engines.mujoco.specification import TINY, Element, mujoco
 
-ROUND = 1e-10  # of a body's largest moment of inertia, added to all three: the library checks A + B ≥ C to the last bit
+ROUND = 1e-10  # of a body's largest moment of inertia, added to all three, as MuJoCo checks A + B ≥ C exactly
 
 
 class HardSpecification:
-    """The specification under construction; names are numbers, since any text may be a name in a mechanism."""
+    """The MjSpec description under construction; parts have numbers as names, since any text may be a name."""
 
     def __init__(self, mechanism: Mechanism) -> None:
-        """Say everything that the library has to know of the mechanism."""
+        """Describe all bodies, joints and sites of a mechanism."""
         self._mechanism = mechanism
         self.spec: Any = mujoco.MjSpec()
         self.bodies: dict[str, Element] = {}
@@ -35,7 +35,7 @@ class HardSpecification:
             self.sites[site.name] = carrier.add_site(name=f"s{len(self.sites)}", pos=site.at)
 
     def compile(self) -> tuple[Any, Any]:
-        """Return the library's model and data; SimulationError for what it refuses."""
+        """Return MuJoCo's model and data; raise SimulationError if MuJoCo rejects the description."""
         try:
             model = self.spec.compile()
         except ValueError as error:
