@@ -1,4 +1,4 @@
-"""From a text back to its scene: the templates of bodies, entities and connections, read backwards.
+"""Parsing of texts into scenes: the templates of bodies, entities and connections are matched against sentences.
 
 Reading goes in two steps. `Matcher` and its friends go through the sentences in the order in which the
 `Writer` says them and propose every scene that could have been meant; they may propose too much. `proof`

@@ -1,4 +1,4 @@
-"""Text divided into sentences and tables."""
+"""Division of a text into sentences and tables."""
 
 import re
 from collections.abc import Iterator
@@ -19,7 +19,7 @@ _END = re.compile(r"(?<=\.) ")
 
 
 def pieces(text: str) -> tuple[str, ...]:
-    """Sentences, and tables as their rows joined by line breaks; TextError for a text that is empty or too long."""
+    """Return the sentences, and tables with rows joined by line breaks; TextError if empty or too long."""
     if len(text) > MAX_CHARACTERS:
         raise TextError("text", f"it has {len(text)} characters", f"give at most {MAX_CHARACTERS}")
     found: list[str] = []
@@ -47,13 +47,13 @@ def _sentences(lines: list[str]) -> list[str]:
 
 
 def shown(piece: str) -> str:
-    """Return a piece as messages quote it."""
+    """Return a sentence or table, shortened for error messages."""
     return repr(piece if len(piece) <= 120 else f"{piece[:117]}...")
 
 
 @dataclass(frozen=True, slots=True)
 class _Grid:
-    """The cells of a table: the noun and the headings above, letters and numbers below."""
+    """The cells of a table: noun and headings in the first row, letters and numbers below."""
 
     noun: str
     headings: tuple[str, ...]
