@@ -1,4 +1,4 @@
-"""Units that answers may be in beside those of our table: imperial ones, and a few others that textbooks still use.
+"""Units accepted in answers beside those of the library's table: imperial and outdated ones.
 
 Problems, scenes and exports never have them. A pound is a mass, and a pound of force is ``lbf``; an ``in`` is the
 preposition, and an inch is spelled out.

@@ -80,7 +80,7 @@ class Setting:
         return address in self.mechanism.body
 
     def place(self, address: str) -> Vector:
-        """Where a body stands: a small one at its centre of mass, one with extent at the origin of its own axes."""
+        """Return the position of a body: its centre of mass, or the origin of an extended body's axes."""
         if isinstance(self.look(address), Spherical | Axial | Capped | Rectangular | Silhouette):
             return vector(self.frames[address].origin)
         return vector(self.frames.center(address).place)

@@ -155,7 +155,7 @@ class _Rows:
         return "hit", self._called(one), self._called(other), repr(numbers)
 
     def push(self, force: Force) -> Label:
-        """Return a force that is given: what it is here, now and at other velocities, and how far its borders are."""
+        """Return the label of an applied force: its value at the start and at other velocities, and its borders."""
         point = self._frames.center(force.body)
         velocities = (point.velocity, X, Y, Z)
         found = [force.law.force(point.place, velocity, self._stage, math) for velocity in velocities]
