@@ -1,4 +1,4 @@
-"""Rejection sampling: the responses of a policy that the grader pays for, as solutions to learn from.
+"""Rejection sampling: correct responses of a policy as solutions for fine-tuning.
 
     OUT/solutions.jsonl   each solution that is kept: id, prompt, completion, and which try it was
     OUT/sampled.json      what was asked of whom, how all tries ended, and hashes; written last
@@ -176,7 +176,7 @@ def _kept(
 
 
 def _why_not(item: Item, said: Completion, seen: set[str], keep: int) -> str:
-    """Return why a response is not kept as a solution; empty if it is kept."""
+    """Return the reason why a response is not kept as a solution; empty if it is kept."""
     asked_for = benchmark_item(item)
     ending = ending_of(said, SCORINGS[asked_for.scoring].award(said.whole, asked_for.reference))
     if ending is not Ending.CORRECT:

@@ -1,4 +1,4 @@
-"""Callbacks of the trainer: checkpoints, and batches that could not be filled."""
+"""Callbacks of the trainer: checkpoints, and incomplete batches."""
 
 import shutil
 from pathlib import Path
@@ -16,7 +16,7 @@ NAME = "cursor.json"
 
 
 class Cursor(BaseModel):
-    """Where a run stands between two steps."""
+    """The state of a run between two steps."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
@@ -28,17 +28,17 @@ class Cursor(BaseModel):
 
 
 def folder_of(out: Path, updates: int) -> Path:
-    """As transformers names it."""
+    """Return the folder of a checkpoint, named as transformers does."""
     return out / f"checkpoint-{updates}"
 
 
 def unmark(folder: Path) -> None:
-    """Before anything is written to a checkpoint of this name."""
+    """Remove the completion mark before a checkpoint is overwritten."""
     (folder / NAME).unlink(missing_ok=True)
 
 
 def mark(folder: Path, cursor: Cursor) -> None:
-    """After all else was written."""
+    """Write the cursor, which marks a checkpoint as complete."""
     put_text(folder / NAME, cursor.model_dump_json() + "\n", folder)
 
 
@@ -58,12 +58,12 @@ def read_cursor(folder: Path) -> Cursor:
 
 
 def last_checkpoint(out: Path) -> Path | None:
-    """Return the newest whole checkpoint of a run, or None. One that a kill left half written is passed over."""
+    """Return the newest complete checkpoint of a run, or None; incomplete ones are skipped."""
     return max((path for path in _folders(out) if (path / NAME).is_file()), key=_updates, default=None)
 
 
 def clear_behind(out: Path, cursor: Cursor | None) -> None:
-    """Make room for what a run will save that goes on from a cursor, or begins.
+    """Remove checkpoints later than the cursor, and incomplete ones.
 
     Folders that a kill left half written are removed, since transformers keeps those of the highest numbers.
 
@@ -95,20 +95,20 @@ def _updates(folder: Path) -> int:
 
 
 class BetweenUpdates(library("transformers").TrainerCallback):
-    """Called by transformers' loop for a `GSPOTrainer`."""
+    """Callbacks of transformers' training loop for a `GSPOTrainer`."""
 
     def __init__(self, trainer: Any) -> None:  # noqa: ANN401 - ours, which imports this module
-        """The trainer says whether its step is short, and whether its stream is exhausted."""
+        """Store the trainer, whose state tells short steps and an exhausted stream."""
         self.trainer = trainer
 
     def on_pre_optimizer_step(self, *_: object, **__: object) -> None:
-        """Leave weights alone that have no gradient: momentum and decay would move them still."""
+        """Skip weights without gradients, which momentum and decay would otherwise change."""
         if self.trainer.short:
             for weights in self.trainer.model.parameters():
                 if weights.grad is not None and not weights.grad.any():
                     weights.grad = None
 
     def on_step_end(self, _: object, state: Any, control: Any, **__: object) -> None:  # noqa: ANN401 - transformers' own
-        """End the run with the step in which the stream ended."""
+        """Stop the run after the step in which the stream ended."""
         if self.trainer.exhausted and state.global_step % self.trainer.settings.minibatches == 0:
             control.should_training_stop = control.should_save = True

@@ -1,4 +1,4 @@
-"""All runs of a study, each in processes of its own; the same call goes on where it ended."""
+"""Execution of all runs of a study, each in its own processes, with resumption."""
 
 # torch is an extra:
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
@@ -22,7 +22,7 @@ from sim2reason.training.study.config import Arm, TrainingStudy, study_from
 
 __all__ = ["prepare_study", "train_study"]
 
-LONGEST = 300  # characters of what a failed run said last
+LONGEST = 300  # characters of a failed run's last output
 PARTIAL = ".part"
 
 
@@ -33,7 +33,7 @@ def train_study(
     begun: Callable[[str, int], object] = lambda phase, steps: None,  # noqa: ARG005 - names say what is told
     advance: Callable[[int], object] = lambda _: None,
 ) -> dict[str, Trained]:
-    """Make all runs that a YAML file, or settings, say; by their names what came of them.
+    """Run all runs of a study; return the results by name.
 
     `out` stands for the folder that they name. Runs that are finished stay as they are, and those that were broken off
     go on. A warm start that several runs have is made once. `begun` is told how many runs there are, `advance` how many
@@ -65,7 +65,7 @@ def prepare_study(
     begun: Callable[[str, int], object] = lambda phase, steps: None,  # noqa: ARG005 - names say what is told
     advance: Callable[[int], object] = lambda _: None,
 ) -> Path:
-    """Do what comes before reinforcement learning, as `prepare_rl` does, once for each warm start of a study.
+    """Run the steps before reinforcement learning once for each warm start of a study.
 
     `begun` is told how many runs have one of their own, `advance` how many more are prepared. `train_study`, with the
     same arguments, goes on in the folder given.
@@ -90,7 +90,7 @@ def _checked(config: Path | str | Mapping[str, object] | TrainingStudy, out: Pat
 
 
 def _all_made(failed: Mapping[str, str], runs: int) -> None:
-    """TrainingError if some were not."""
+    """Raise TrainingError if some runs failed."""
     if failed:
         told = "; ".join(f"{run}: {why}" for run, why in failed.items())
         raise TrainingError(f"{len(failed)} of {runs} runs failed, the others are finished; {told}")
@@ -101,7 +101,7 @@ def _folder(study: TrainingStudy, arm: Arm) -> TrainingFolder:
 
 
 def _claim(study: TrainingStudy, arm: Arm) -> None:
-    """Make the folder of a run; TrainingError if it could not begin, or the folder holds another configuration's."""
+    """Create the folder of a run; TrainingError if the run could not start, or the folder is another's."""
     folder = _folder(study, arm)
     try:
         with working_in(folder.path):
@@ -113,7 +113,7 @@ def _claim(study: TrainingStudy, arm: Arm) -> None:
 
 
 def _finished(study: TrainingStudy, arm: Arm) -> bool:
-    """Return whether a run is trained, and reported on."""
+    """Return whether a run is trained and reported."""
     folder = _folder(study, arm)
     return folder.result() is not None and folder.report.is_file()
 
@@ -121,7 +121,7 @@ def _finished(study: TrainingStudy, arm: Arm) -> bool:
 def _warm_starts(
     study: TrainingStudy, until: Stage, advance: Callable[[int], object] = lambda _: None
 ) -> dict[str, str]:
-    """Prepare the first run of each warm start, and lay what it has made into the folders of the others.
+    """Prepare the first run of each warm start, and share its files with the other runs.
 
     Of the runs that cannot begin, what the preparation of theirs said last.
     """
@@ -139,7 +139,7 @@ def _warm_starts(
 
 
 def _firsts(study: TrainingStudy) -> dict[Arm, list[Arm]]:
-    """By the first of them, the runs that have the same warm start and the same held-out problems."""
+    """Return the runs with equal warm start and held-out problems, by the first of them."""
     known = dict[str, list[Arm]]()
     for arm in study.runs:
         config = study.configs[arm].decisive
@@ -153,7 +153,7 @@ def _made(
     until: Stage | None = None,
     advance: Callable[[int], object] = lambda _: None,
 ) -> dict[str, str]:
-    """Make these runs, or prepare them; of those that failed, what they said last."""
+    """Execute or prepare runs; return the last output of those that failed, by name."""
     running, failed = dict[Arm, Popen[bytes]](), dict[str, str]()
     with ThreadPoolExecutor(study.workers) as pool:
         try:
@@ -171,7 +171,7 @@ def _made(
 
 
 def _share(study: TrainingStudy, first: Arm, arm: Arm) -> None:
-    """Lay what the first run has made for both into the folder of another."""
+    """Link the prepared files of the first run into the folder of another."""
     earlier, folder = _folder(study, first), _folder(study, arm)
     if first == arm:
         return
@@ -187,7 +187,7 @@ def _share(study: TrainingStudy, first: Arm, arm: Arm) -> None:
 
 
 def _linked(source: Path, target: Path) -> None:
-    """The same files under another name, whole or not at all; what a training goes on from is left out."""
+    """Link a folder atomically under another name, without the files of training itself."""
     partial = target.with_name(target.name + PARTIAL)
     shutil.rmtree(partial, ignore_errors=True)
     try:
@@ -199,7 +199,7 @@ def _linked(source: Path, target: Path) -> None:
 
 
 def _make(study: TrainingStudy, arm: Arm, until: Stage | None, running: dict[Arm, Popen[bytes]]) -> str:
-    """Make one run, or prepare it; what it said last if it failed."""
+    """Execute or prepare one run; return its last output if it failed, else an empty text."""
     folder = _folder(study, arm).path
     log = folder.with_name(f"{arm.run}.log")
     with log.open("ab") as said:

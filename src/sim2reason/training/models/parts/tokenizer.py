@@ -1,4 +1,4 @@
-"""A tokenizer made from a few texts: byte-pair encoding whose pieces may hold spaces, even whole sentences.
+"""Training of a tokenizer on few texts: byte-pair encoding whose pieces may span spaces and sentences.
 
 Prompts of one recipe share most of their words, so that a small vocabulary holds them in few tokens. Some characters
 are never joined with others: digits, so that numbers are spelled alike everywhere, and signs of operations. Bytes are
@@ -19,7 +19,7 @@ SMALLEST = 256 + 2
 
 
 def made(texts: Iterable[str], vocabulary: int, alone: str = ALONE) -> External:
-    """Return a tokenizer of at most `vocabulary` pieces, none of which joins a character of `alone` with another.
+    """Return a tokenizer with at most `vocabulary` pieces, none of which joins a character of `alone` to others.
 
     It is a function of the texts as a multiset: their order and the number of threads do not matter.
     """
