@@ -1,4 +1,4 @@
-"""SIGINT and SIGTERM: heard from the start to the end, and again where a library swallows what they raise."""
+"""Handling of SIGINT and SIGTERM, repeated where a library swallows the exception."""
 
 import signal
 from collections.abc import Generator
@@ -9,7 +9,7 @@ from warnings import catch_warnings, simplefilter
 
 from sim2reason.datasets.processes import SIGNALS
 
-PATIENCE = 2.0  # s, after which whoever was interrupted and goes on is interrupted again
+PATIENCE = 2.0  # s, after which an interrupt without effect is repeated
 
 
 @contextmanager

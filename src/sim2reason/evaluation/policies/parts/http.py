@@ -17,7 +17,7 @@ from sim2reason.errors import PolicyError
 
 __all__ = ["PRINTABLE", "VARIABLE", "NoReply", "Reply", "Secret", "delay", "from_environment", "post"]
 
-FIRST, LONGEST, ASKED = 1.0, 60.0, 300.0  # s: the first wait, the longest of ours, the longest that a server may ask
+FIRST, LONGEST, ASKED = 1.0, 60.0, 300.0  # s: first and longest delay, and longest one that a server may request
 WORTH_IT: Final = 2.0  # factor between successive delays
 
 
