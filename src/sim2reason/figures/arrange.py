@@ -1,7 +1,7 @@
 """Layout search: chooses lengths of strings and orientations of pieces so that nothing overlaps.
 
-Strings never close a ring, so any choice of lengths can be drawn; a search looks for one without overlaps, small
-and level. It is counted in steps and draws from a fixed seed: the same scene always looks the same.
+Strings never form closed loops, so any choice of lengths is possible; the search minimises overlaps, size and uneven
+levels. Its effort is counted in steps and its random seed is fixed, so that a scene always looks the same.
 """
 
 from collections.abc import Callable, Iterator, Sequence

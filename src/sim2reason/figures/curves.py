@@ -125,8 +125,8 @@ def instants(trace: Trace, duration: float) -> Array:
 def panels(state: State, mentions: dict[str, str], said: frozenset[str] | None = None) -> tuple[Panel, ...]:
     """Return a panel for each plotted quantity that the text mentions; some quantities share a panel.
 
-    What is zero throughout is left out. `said` has the paths of the numbers of the text: of what needs another one
-    there is no curve; None stands for all.
+    Curves that are always zero are omitted. `said` contains the addresses of the stated numbers: a quantity that needs
+    others is omitted; None allows all.
     """
     found: dict[str, list[tuple[str, Curve]]] = {}
     for quantity in ordered():

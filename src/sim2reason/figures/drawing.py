@@ -26,7 +26,7 @@ from sim2reason.text.prose.description import Description, describe
 class Component:
     """Connected entities and connections: names of `arranged` ones, and groups that are drawn to scale.
 
-    What a group holds, connections between its entities included, is drawn in one piece.
+    The entities of a group, with the connections between them, are drawn as one piece.
     """
 
     arranged: frozenset[str]

@@ -31,7 +31,7 @@ Draw = Callable[[Scene], Drawing]
 def unknowns(scene: Scene, description: Description) -> tuple[str, ...]:
     """Return the addresses of lengths and angles that a text leaves unknown while it states other numbers.
 
-    A text in which all numbers are symbols asks for a formula, which no figure shows.
+    A text with only symbols asks for a formula, so no figure hides anything.
     """
     told, symbolic = frozenset(description.told), frozenset(description.symbolic)
     own = {p.path: p for p in scene.parameters if p.value and not p.hidden}
@@ -48,8 +48,8 @@ def _is_drawn_to_scale(parameter: Parameter) -> bool:
 def disguised(scene: Scene, description: Description, draw: Draw) -> tuple[Scene, Drawing]:
     """Return a scene in which unknown lengths and angles have other values, and its drawing.
 
-    For each unknown it takes the first value with which the drawing has the same parts and labels, else the same parts;
-    the unknown keeps its value where there is none.
+    Each unknown gets the first value for which the drawing has the same parts and labels, or else the same parts;
+    without such a value it is unchanged.
     """
     found = draw(scene)
     for path in unknowns(scene, description):
@@ -157,7 +157,7 @@ class Option(NamedTuple):
 def placed(wanted: Sequence[Wanted], shapes: Sequence[Shape]) -> tuple[tuple[Label, ...], tuple[LineShape, ...]]:
     """Place all labels with minimal total cost; return them with their leader lines.
 
-    First come those with the least choice, then all again in turn.
+    The labels with the fewest candidates are placed first, then all labels again in turn.
     """
     strokes, blocks = (
         _strokes(shapes),

@@ -145,7 +145,7 @@ class Paths:
     def __init__(self, scene: Scene, owners: frozenset[str], home: Mapping[str, str]) -> None:
         """Read the strings of some entities and connections from the mechanism.
 
-        `home` has the pieces of entities that are drawn to scale, by name.
+        `home` maps each entity that is drawn to scale to its piece.
         """
         self.home = home
         self.scene, self.mechanism = scene, scene.mechanism

@@ -1,6 +1,6 @@
 """Pieces of a drawing: rigid parts of a layout, one class for each look of a body.
 
-A piece is made for a body by its look, see `PIECES`; so an entity made of bodies with a look needs no drawing code.
+`PIECES` maps the look of a body to its piece, so that an entity made of bodies with looks needs no drawing code.
 """
 
 from abc import ABC, abstractmethod
@@ -93,7 +93,7 @@ class DrawingPlan:
     def told(self, parameter: Parameter) -> str:
         """Return a number as in the text: an unknown by its symbol, others with at most five digits.
 
-        A result fixes an unknown to all digits that a computer has: no drawing needs them.
+        Results of unknowns have more digits, which no drawing needs.
         """
         symbol = self.description.symbols.get(parameter.path, parameter.measure.symbol)
         shown = parameter.value and float(f"{parameter.value:.{DIGITS}g}")

@@ -76,7 +76,7 @@ class CertifiedPart:
 def worked(request: Request, found: CertifiedQuestion) -> Solution:
     """Return the worked solution of a certified question in the units of its text; an empty one states why.
 
-    Where there are several parts, it is that of all.
+    For several parts this is the solution of all parts.
     """
     if found.parts:
         return together(worked_parts(request, found, whole=True))

@@ -50,7 +50,7 @@ def formed(
 ) -> CertifiedQuestion | None:
     """Return the problem in a mode, with its parts or options; None, counted in `refused`, if impossible.
 
-    The order of options hangs on the `name` alone.
+    The order of options depends only on `name`.
     """
     if mode.several:
         return PartSearch(search, mode, difficulty, rng, refused).around(found)
@@ -87,9 +87,10 @@ Drawn = tuple[QuestionSearch, np.random.Generator]
 class ItemSearch:
     """The search for one item, with a random order of question kinds by weight.
 
-    Each scene is asked the first kind of that order that it offers. Only where this fails in a few scenes, those
-    scenes, which are simulated by then, are asked other kinds, and the next few begin with the next kind. So what is
-    hard to pass is hardly kept less often. But what a textbook has ready is no problem about the next scene, either.
+    Each scene is tried with the first kind in the order that it offers. If a few scenes fail, the same scenes, already
+    simulated, are tried with other kinds, and the next scenes start with the next kind. Hence kinds that rarely pass
+    the filters are kept almost as often as others. A kind whose answers are textbook ones is not retried on the next
+    scene.
     """
 
     def __init__(self, request: Request) -> None:
@@ -124,7 +125,7 @@ class ItemSearch:
     def _order(self, turn: int) -> list[str]:
         """Return the kinds in the order of a round; each round begins with the next kind.
 
-        A costly kind is asked only in the turn that begins with it.
+        An expensive kind is tried only in the round that begins with it.
         """
         begin = turn % len(self._kinds)
         first, *others = *self._kinds[begin:], *self._kinds[:begin]

@@ -42,7 +42,7 @@ from sim2reason.text.prose.symbol_names import counted_in
 def told_in(system: SpokenUnits, item: Item) -> Item:
     """Return the problem with all numbers of its text, answer and distractors in a system of units.
 
-    One in symbols stays as it is: its formula holds in any.
+    Symbolic problems are unchanged, because their formulas hold in any units.
     """
     if item.answer.formula is not None:
         return item

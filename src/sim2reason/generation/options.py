@@ -24,7 +24,7 @@ ENOUGH = 4  # distractors: as many as beside the correct answer among five optio
 def distractors(candidate: Candidate, description: Description, few: int = FEW) -> tuple[Distractor, ...]:
     """Return the distinct distractors from misconceptions, nearest first, at least `few` if possible.
 
-    Where they lead to fewer than `few`, answers are looked for that are far from the right one.
+    If misconceptions give fewer than `few`, a longer search includes answers far from the correct one.
     """
     found = list[Effect]()
     heard = sorted((e for part in (False, True) for e in effects(candidate, part=part)), key=_place)
@@ -79,7 +79,7 @@ def idle_parts(candidate: Candidate, description: Description) -> tuple[str, ...
 def idle_numbers(candidate: Candidate, description: Description) -> tuple[str, ...]:
     """Return the addresses of stated numbers that hardly change the answer when halved or doubled.
 
-    A scene has more numbers than its text states: g where nothing falls, or how all begins where that is not told.
+    Numbers that the text does not state, such as g where nothing falls, are excluded.
     """
     stated = frozenset(description.told)
     told = (found for found in elasticities(candidate) if not stated.isdisjoint(found.given.paths))
@@ -125,8 +125,8 @@ Options = tuple[Distractor | None, ...]
 def options(answer: Answer, wrong: Sequence[Distractor], name: str) -> Options | None:
     """Return the correct answer and distractors in a random order seeded by `name`; None for too few.
 
-    Told in three digits, the right one is right for the grader, no other is, and each differs from all others by a
-    tenth of it or more. Each place is as likely for the right one as any other.
+    In three digits, the grader accepts only the correct option, and all options differ by at least a tenth. Every
+    position of the correct option is equally likely.
     """
     if answer.formula is not None or answer.parts:
         return None
@@ -142,7 +142,7 @@ def options(answer: Answer, wrong: Sequence[Distractor], name: str) -> Options |
 def options_of_two(answer: Answer, wrong: Sequence[Distractor], name: str) -> Options | None:
     """Return four options: the correct and a wrong number, each with either of two names.
 
-    A negative number is of the second of the two. None where no wrong number stands apart from the right one.
+    Negative numbers belong to the second name. None if no wrong number is distinct from the correct one.
     """
     size = answer.model_copy(update={"value": abs(answer.value)})
     sizes = (each.model_copy(update={"value": abs(each.value)}) for each in wrong)

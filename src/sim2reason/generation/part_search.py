@@ -1,9 +1,9 @@
 """Search for related questions about one scene, which become the parts of a problem.
 
-One part leads to another if its answer is a quantity that the other's worked solution finds on its way, or the time of
-the moment that the other asks about. Candidates are looked for where that is likely: quantities that a solution finds,
-and further questions about the same moments. Each part passes every filter by itself; the difficulty is that of all
-parts, so that a further part may be easier than its label.
+One part leads to another if its answer is an intermediate result of the other's worked solution, or the time of the
+other's moment. Candidates are intermediate results of solutions, and further questions about the same moments. Each
+part passes every filter by itself; the difficulty is that of all parts together, so that a later part may be easier
+than its label.
 """
 
 from collections import Counter
@@ -247,9 +247,9 @@ def _same(value: float, other: float) -> bool:
 def is_new(question: Question, other: Question, study: Study) -> bool:
     """Return whether neither of two questions reveals or trivially implies the answer to the other.
 
-    An answer follows at once if it is a simple multiple of the other, of its square or of its inverse, or such a
-    multiple times a number that the text states: K = m v²/2, W = F d, f = 1/T. Nor do both state numbers for
-    different moments.
+    An answer follows trivially if it is a simple multiple of the other, of its square or of its inverse, or such a
+    multiple times a stated number: K = m v²/2, W = F d, f = 1/T. The questions must not state numbers for different
+    moments either.
     """
     if question.unit == other.unit and abs(question.answer - other.answer) <= TOLERANCE * abs(other.answer):
         return False

@@ -126,7 +126,7 @@ def _stretches(moments: list[Moment], motion: FollowedMotion, words: Words, foun
 def _enter(query: Query, motion: FollowedMotion, words: Words, found: Examples, said: str = "") -> None:
     """Add a query as the example of each name without one, if its parts parse back to an equal query.
 
-    Its sentence is the one that is `said`, or else the library's own.
+    The example's sentence is `said`, or else the library's own.
     """
     entries = _names(query)
     table = vars(found)

@@ -144,7 +144,7 @@ class QuestionSearch:
     ) -> CertifiedQuestion | None:
         """Return a question that passes every filter, or None; rejections are counted by filter in `refused`.
 
-        Of one kind where one is named: then it is a matter of course that a scene may offer none.
+        If a `kind` is given, a scene that does not offer it is not counted as a rejection.
         """
         if self.fault:
             refused[self.fault] += 1
@@ -243,7 +243,7 @@ class QuestionSearch:
     def _suits(self, query: Query, unknown: str, stated: StatedResult | None) -> bool:
         """Return whether a solution of the query has only allowed needs.
 
-        Where no strategy has a way to a query, none has one to a number of the text that its answer fixes.
+        If no strategy applies to a query, none applies to an unknown number that its answer determines.
         """
         if self._needs == EVERY or not (unknown or self._changing or Need.ARITHMETIC not in self._needs):
             return True  # nearly all about constant accelerations is elementary, and the filter looks at it

@@ -136,9 +136,9 @@ SHAPING = "sim2reason", "mujoco", "numpy", "pyarrow", "pydantic", "sympy"
 class Made:
     """The result of a maker for one request.
 
-    `item` is None if no draw passed within the maker's budget, which is counted in steps, never in seconds.
-    `rejected` counts the draws that were refused on the way, by filter or reason. `wanted` is the kind of question that
-    was tried first, by the weights, among those that the scenes offer; empty for none.
+    `item` is None if no draw passed within the maker's budget, which is counted in steps, never in seconds. `rejected`
+    counts the rejected draws by filter or reason. `wanted` is the question kind that was tried first by the weights,
+    among those that the scenes offer; empty for none.
     """
 
     item: Item | None
@@ -183,7 +183,7 @@ def weight(kind: str, mode: str, recipe: str, ordered: Mapping[str, float]) -> f
 def in_drawn_order(mode: str, recipe: str, ordered: Weights, rng: np.random.Generator) -> list[str]:
     """Return all kinds of a mode with positive weight, in a random order by weight.
 
-    Where the first one that can be had is taken, each is by its weight among those that can be had.
+    If the first available kind is used, the available kinds occur in proportion to their weights.
     """
     given = dict(ordered)
     found = {kind: weight(kind, mode, recipe, given) for kind in _kinds(mode)}

@@ -36,7 +36,7 @@ class _Rounded(NamedTuple):
 def fingerprint(latex: str, symbols: tuple[str, ...], units: tuple[str, ...]) -> str:
     """Return a fingerprint of a formula, independent of the names of its symbols and of arrangement.
 
-    The text itself where it has too few values to be told from others, or can't be read.
+    The text of the formula itself if it has too few values to be distinctive, or cannot be parsed.
     """
     try:
         formula = compiled(latex, symbols)
@@ -103,9 +103,9 @@ _NUMBER = re.compile(r"(?<![\w.])[-−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
 def problem(item: Item) -> str:
     """Return the problem of an item without numbers: equal for all its variants.
 
-    It depends on the scene's entities and how they are joined, and on what is asked of which of them; not on words, nor
-    on the order in which several parts are asked. A problem whose answer is a formula is that formula, up to a factor
-    and the names of its symbols, whatever the scene.
+    It depends on the scene's entities and connections, and on the queries with their subjects, but not on wording, nor
+    on the order of parts. A problem whose answer is a formula is identified by the formula, up to a factor and the
+    names of its symbols, whatever the scene.
     """
     formula = item.answer.formula
     if formula is not None and not item.parts:

@@ -27,7 +27,7 @@ STEPS = (1.0, 2.0, 5.0)
 def speeds(setting: Setting, *, headings: bool = True) -> Sketch:
     """Draw the initial velocity of every moving body as an arrow, labelled with its speed or with one common scale.
 
-    With its direction too, unless only the arrows are wanted: an angle that is shown once is not shown again.
+    With `headings`, angles of velocities are drawn too.
     """
     found, unsaid = Sketch(), False
     moving = {b.name: v for b in setting.members if _shown(setting, b, v := setting.velocity(b.name))}
@@ -58,7 +58,7 @@ def speeds(setting: Setting, *, headings: bool = True) -> Sketch:
 def _shown(setting: Setting, body: RigidBody, velocity: complex) -> bool:
     """Return whether a body gets an arrow: if its speed is stated, or else its velocity follows from the text.
 
-    What is fixed to something that turns gets one only if its own speed is stated.
+    A body fixed to a rotating one gets an arrow only if its own speed is stated.
     """
     if abs(velocity) <= STILL or body.name not in setting.bodies:
         return False

@@ -131,8 +131,8 @@ def mark_at(setting: Setting, force: Force, at: complex) -> tuple[str, list[Shap
 def parts(setting: Setting, law: Law, where: Vector, time: float) -> tuple[Vector, Vector]:
     """Return the force of a law on a body at rest, and its magnetic field B with F = v × B, as vectors.
 
-    From F = v × B for v along the two sides of the page and out of it, drag having no part square to v:
-    B = (y·F(z), z·F(x), x·F(y)), where x, y, z are the three directions.
+    The magnetic field follows from the force F(v) on velocities along the page's two axes x, y and out of the page z,
+    since drag is parallel to v: B = (y·F(z), z·F(x), x·F(y)).
     """
     x, y, z = setting.view.right, setting.view.up, setting.view.towards
 

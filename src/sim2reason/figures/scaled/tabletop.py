@@ -157,7 +157,7 @@ def _ticks(
 ) -> None:
     """Draw ticks with numbers at round distances, except under bodies and arrows and near the ends of the axis.
 
-    At the origin only where that is wanted: two axes cross there.
+    The origin gets a tick only on request, because two axes cross there.
     """
     origin, way, start, stop = axis
     scale = setting.view.scale

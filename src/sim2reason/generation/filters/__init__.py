@@ -183,7 +183,7 @@ class Filter(ABC):
     def reason(self, candidate: Candidate) -> str:
         """Return the reason to reject the question, in a few words; empty to keep it.
 
-        Where a manifest should count several causes apart, the cause stands first, before a colon.
+        If a manifest should count several causes separately, the cause comes first, before a colon.
         """
 
     def findings(self, candidate: Candidate) -> Iterator[str]:

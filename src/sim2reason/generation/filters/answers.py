@@ -201,7 +201,7 @@ WORST = 20.0  # condition number: the root of the sum of the squares of all elas
 class Precision(Filter):
     """Filter for ill-conditioned answers: a small change of a stated number changes the answer or event order a lot.
 
-    What is counted must not change by half a unit in the last place of any number.
+    Counted answers must not change when any number changes by half a unit in its last place.
     """
 
     order = 8

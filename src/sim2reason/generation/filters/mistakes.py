@@ -11,8 +11,8 @@ ALLOWED = {"easy": 0, "medium": 0, "hard": 1}
 class Shortcut(Filter):
     """Filter for questions whose answer stays (nearly) within the tolerance if a part is held fixed or omitted.
 
-    A hard problem in numbers may have one such part, which is recorded as a distraction; other problems have none. What
-    changes the answer a little, but might be forgotten, would be paid for.
+    A hard numeric problem may have one such part, which is recorded as a distraction; other problems have none. A part
+    with a small effect would allow a solver who forgets it to be graded as correct.
     """
 
     order = 6
@@ -41,7 +41,7 @@ FILTERS.add("shortcut", Shortcut())
 class Simplified(Filter):
     """Filter for questions that a misconception answers (nearly) correctly.
 
-    One that changes nothing may stay where it is about nothing but a part that the item marks as having no bearing.
+    A misconception without effect is allowed if it concerns only a part that the item marks as a distraction.
     """
 
     order = 4

@@ -21,8 +21,8 @@ MOST: dict[Difficulty, int] = {"easy": 5, "medium": 8, "hard": 12}  # collisions
 class Collision(Filter):
     """Filter for questions without a relevant collision in a scene that allows one, or with too many collisions.
 
-    Or where pairs have a restitution of their own, only these have collided: that of *all others* has no bearing. Or
-    more collisions come before than anybody would follow.
+    If pairs have different stated restitutions, collisions of every restitution are required, since otherwise a stated
+    value is irrelevant.
     """
 
     order = 1
@@ -62,7 +62,8 @@ FILTERS.add("collision", Collision())
 class Jerk(Filter):
     """Filter for motions in which a slack string becomes taut again, unless the text states the result.
 
-    Engines take the velocity along the string. Texts say so of entities whose strings are expected to go slack.
+    Engines remove the velocity component along the string. Only entities whose strings are expected to go slack state
+    this.
     """
 
     order = 2
@@ -146,7 +147,7 @@ FARTHEST = 4.0  # m, on a movable board, box or wedge
 class Slide(Filter):
     """Filter for motions in which a body slides more than `FARTHEST` on a movable body before the moment.
 
-    Planes that are fixed have no end.
+    Fixed planes have no end.
     """
 
     order = 1

@@ -33,7 +33,7 @@ SEVERAL = 2  # parts of a scene from which on the filter applies
 class Opposed(SceneFilter):
     """Filter for scenes in which all weights of several entities descend, so that none opposes another.
 
-    A row of blocks that runs down one slope is of one entity. Springs and what swings are not looked at.
+    A row of blocks on one slope belongs to one entity. Springs and swinging bodies are ignored.
     """
 
     def scene_reason(self, study: Study) -> str:

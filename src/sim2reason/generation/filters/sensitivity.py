@@ -23,9 +23,8 @@ IDLE = {"easy": 0.0, "medium": 0.1, "hard": 0.1}  # fraction of irrelevant numbe
 class Sensitivity(Filter):
     """Filter for questions with too few numbers that change the answer, or too many that do not.
 
-    What belongs to a part without bearing is told apart: the item marks it as a distraction. So are the mass and the
-    charge of what is asked about and the radius of what rolls, which may well cancel, and what the kind of question is
-    indifferent to.
+    Not counted as irrelevant: numbers of parts that the item marks as distractions, the mass and charge of the subject
+    and the radius of a rolling body, which may cancel, and numbers to which the question kind is indifferent.
     """
 
     order = 7

@@ -34,13 +34,13 @@ LARGEST = 2  # coordinates of scenes to which the limit on laws applies, if no e
 class FewLaws(Filter):
     """Filter for questions whose worked solution needs few laws and leads to a short formula.
 
-    As v/(g (sin θ + µ cos θ)) until a block comes to rest, F/(m_A + m_B) + g sin θ for two blocks that move as one,
-    √(v² + k d²/m) for a cart on a spring, or where a ball that is thrown lands. Nothing is said where no formula is
-    derived, nor of an integral, which a logarithm tells, but by itself.
+    Examples are v/(g (sin θ + µ cos θ)) until a block comes to rest, F/(m_A + m_B) + g sin θ for two blocks that move
+    as one, √(v² + k d²/m) for a cart on a spring, and the range of a thrown ball. Questions without a derived formula
+    pass, and so do integrals, recognised by a logarithm, unless the integral is the only law.
 
-    What rolls or swings by its weight is kept, as by `one line`: a law of motion and a law of turning hold together
-    there. Only what hardly anybody need derive, as ⅓ m g sin θ of a cylinder, is not. What more than laws leads to, as
-    a derivative, is kept, too.
+    Bodies that roll or swing by their weight pass, as for `one line`, since force and torque laws are combined there;
+    only formulas known by heart, such as ⅓ m g sin θ of a cylinder, are rejected. Derivations with more than laws, such
+    as a derivative, pass as well.
     """
 
     order = 3
@@ -75,7 +75,7 @@ class FewLaws(Filter):
 def _symbols(found: Solution) -> int | None:
     """Return the number of symbols after substitution of all formulas; None if the result is too long.
 
-    And None of what an integral gives, unless it is all there is, as u ln(m_0/m_1).
+    None also for integrals, except where the integral is the only law, as in u ln(m_0/m_1).
     """
     try:
         whole = put_together(found)
@@ -105,8 +105,8 @@ FILTERS.add(FEW_LAWS, FewLaws())
 class FewSymbols(Filter):
     """Filter for formulas with fewer numbers of bodies than must affect a numeric answer.
 
-    The numbers of the world, as g, do not count there either. Or it lacks more of the symbols than of an answer in
-    numbers may be idle: where a spring passes its natural length, nothing hangs on its stiffness.
+    The numbers of the world, such as g, do not count. Formulas that lack too many of the symbols are rejected too:
+    where a spring passes its natural length, nothing depends on its stiffness.
     """
 
     order = 1
@@ -135,9 +135,9 @@ FILTERS.add("few symbols", FewSymbols())
 class OneLine(Filter):
     """Filter for answers that are a product of few stated numbers, or a sum of two, as F/(m + M) or √(v² + 2 g h).
 
-    So is whatever is read off a formula that everybody knows: a period, a free fall, a weight on a slope. What rolls or
-    swings by its weight is kept, as by `few laws`: a law of motion and a law of turning hold together there, whatever
-    comes out, as the friction ½ m g sin θ on a pipe that rolls down.
+    Results of well-known formulas are rejected as well: a period, a free fall, a weight on a slope. Bodies that roll or
+    swing by their weight pass, as for `few laws`, since force and torque laws are combined there, whatever the result
+    is, such as the friction ½ m g sin θ on a rolling pipe.
     """
 
     order = 9

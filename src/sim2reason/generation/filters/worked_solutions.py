@@ -54,7 +54,7 @@ COUNTED = frozenset({f"difficulty: {TOO_EASY}", f"difficulty: {TOO_HARD}"})
 class FitsLabel(Filter):
     """Filter for questions whose difficulty score lies outside the range of the difficulty label.
 
-    Nothing is said of a question of no label, or one that only an integration answers.
+    Questions without a label pass, and so do those that only an integration answers.
     """
 
     order = 5
@@ -85,7 +85,7 @@ FILTERS.add("difficulty", FitsLabel())
 class Needs(Filter):
     """Filter for questions whose shortest worked solution needs mathematics that is not allowed.
 
-    By default few questions may need more than elementary means, see `datasets.needs`.
+    By default only a small share of questions may need more than elementary mathematics; see `datasets.needs`.
     """
 
     order = 5

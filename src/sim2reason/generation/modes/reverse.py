@@ -167,8 +167,7 @@ class Reverse(QuestionMode):
 def unfixed(question: Question, study: Study, words: Words) -> str:
     """Return why a result does not determine the unknown: another value, or a nearby limit; empty if it does.
 
-    Empty where nothing of the kind is seen. With other values bodies may go farther; how far strings let them, no text
-    tells.
+    Strings and edges are given enough clearance, because no text states how far they let bodies move.
     """
     if question.given is None or not question.unknown:
         return ""
@@ -197,7 +196,7 @@ def unfixed(question: Question, study: Study, words: Words) -> str:
 def _besides(query: Query, words: Words) -> list[Unknown]:
     """Return the numbers that may be unknown, except the one whose limit a query is about.
 
-    Nor is any of the same symbol.
+    Numbers with the same symbol as that one are excluded too.
     """
     symbols = {found.symbol for found in words.unknowns if found.path == query.hides}
     return [found for found in words.unknowns if found.path != query.hides and found.symbol not in symbols]

@@ -63,7 +63,7 @@ class Symbolic(QuestionMode):
     ) -> Question | None:
         """Return a question, still in numbers, for which some strategy derives a formula; else None.
 
-        None about a mechanism that is not its scene's, whose numbers no symbols stand for.
+        None also for a mechanism that differs from its scene's, because no symbols stand for its numbers.
         """
         if study.mechanism is not study.scene.mechanism:
             return None

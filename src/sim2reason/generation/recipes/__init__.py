@@ -22,8 +22,8 @@ Draw = Callable[[Difficulty, "np.random.Generator"], "Scene"]
 class Recipe:
     """The generator of random scenes of one family; `share` is its relative frequency among recipes.
 
-    `weights` say by which factor some kinds of question are asked more or less often than elsewhere; 0: never. Their
-    names are those of kinds, or of a mode and a kind, as ``reverse.period``, for what holds in that mode alone.
+    `weights` are factors on the frequencies of question kinds; 0 excludes a kind. The keys are names of kinds, or of a
+    mode and a kind, as in ``reverse.period``.
     """
 
     draw: Draw

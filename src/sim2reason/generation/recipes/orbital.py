@@ -18,8 +18,7 @@ from sim2reason.scenes.entities.solar_system import SolarSystem, orbiting
 class OrbitTier:
     """The difficulty settings of orbits: number of planets and eccentricity.
 
-    They do not bear on each other: two of them are there to be asked about together. Planets so heavy that they do
-    would move their star, too.
+    Planets do not attract each other, because heavy ones would also move the star; several planets allow comparisons.
     """
 
     planets: Count

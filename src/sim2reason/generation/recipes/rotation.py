@@ -120,7 +120,7 @@ def _drawn_near(kind: type[WeldedPiece], rng: np.random.Generator, others: Seque
 def _farthest(piece: WeldedPiece, others: Sequence[WeldedPiece]) -> float:
     """Return the largest distance, m, at which enough inertia is about the pieces' own centres.
 
-    A piece that is no small ball has enough of its own; NaN if there is no such distance.
+    Any distance suffices for a piece that is not a small ball; NaN if there is no such distance.
     """
     solid, mass, share, before = _solid(piece), piece.shape.mass, _share(piece), _total(map(_share, others))
     most = MOVED * (before.own + share.own) - before.moved
@@ -148,7 +148,7 @@ def is_clear(one: WeldedPiece, other: WeldedPiece) -> bool:
 def _bear(pieces: Sequence[WeldedPiece], *, unmoved: int) -> bool:
     """Return whether all numbers of some pieces, except `unmoved` ones, affect the motion of the arm.
 
-    The mass of a lone piece cancels.
+    The mass of a single piece cancels.
     """
     shares = [_share(piece) for piece in pieces]
     for number, piece in enumerate(pieces):

@@ -1,14 +1,14 @@
 """Equivalence of parsed scenes: same named bodies with the same motions, whatever entities they are made of.
 
-Motions follow from masses, from the forces that are given, and from how bodies, lines and faces depend on the
-coordinates. Coordinates themselves are a matter of taste, so they are eliminated: with rows r, each the gradient of
-something that has a meaning (a body's place, a string's length, the rise of a body from its face), and the kinetic
-energy K of unit masses added to all bodies, the products r·K⁻¹·s do not depend on the choice of coordinates, nor on
-hidden lengths, nor on where in the room a part of the scene stands. They are compared together with the labels of the
-rows, up to the order of those that have no name in the text.
+Motions follow from the masses, the applied forces, and the dependence of bodies, lines and faces on the coordinates.
+The choice of coordinates is arbitrary, so it is eliminated: with rows r, each the gradient of a meaningful quantity (a
+body's position, a string's length, the distance of a body from its face), and the kinetic energy K, with a unit mass
+added to every body, the products r·K⁻¹·s depend neither on the coordinates, nor on hidden lengths, nor on the position
+of a part of the scene. They are compared together with the labels of the rows, up to the order of those without a name
+in the text.
 
-Where gradients change, they are compared at several places on the way, together with what changes beside them: how
-paths bend, how springs pull and fields push.
+Where gradients change, they are compared at several positions, together with the curvature of paths and the forces of
+springs and fields.
 """
 
 import math
@@ -75,8 +75,8 @@ class _Rows:
     def _curvature(self) -> dict[str, Array]:
         """Return the curvature of each body's path, by name: 1/m times the square root of a mass.
 
-        It is the mean curvature of the surface on which all bodies can be, in the metric of their masses: the part of
-        the accelerations at q̈ = 0 that no q̈ makes up for, summed over rates that are orthonormal there.
+        This is the mean curvature of the configuration surface in the metric of the masses: the component of the
+        accelerations at q̈ = 0 orthogonal to the surface, summed over an orthonormal basis of rates.
         """
         bodies = self.mechanism.bodies
         roots = np.repeat([math.sqrt(body.mass + 1.0) for body in bodies], 3)
@@ -112,7 +112,7 @@ class _Rows:
     def body(self, body: RigidBody) -> None:
         """Add the rows of a body: position, initial state and curvature; three rows, or more if it rotates.
 
-        Its principal moments count, though no place may show them: how fast a ball spins that rolls.
+        The principal moments of inertia are part of the label, since they affect rolling bodies at rest.
         """
         point, called = self._frames.center(body.name), self._called(body.name)
         spread = self._spread(point)
@@ -174,7 +174,7 @@ class _Rows:
     def line(self, line: Line) -> None:
         """Add the row of the length of a string, rod, spring or actuator.
 
-        Of a spring the extension counts, not how long it is by itself: that may be one of the hidden lengths.
+        For a spring the extension counts, not its natural length, which may be hidden.
         """
         row, wound = np.zeros(self._width), 0.0
         for wheel in line.wheels:

@@ -214,7 +214,7 @@ SYMBOL = re.compile(r"\$([^$\n]{1,40})\$")
 def meanings(digits: str, unit: str) -> list[tuple[str, float]]:
     """Return the units in which a number may be given, each with the number's value in the declared `unit`.
 
-    What is declared in km/s may be told in m/s, too.
+    For example, a speed declared in km/s may be stated in m/s.
     """
     number = digits.replace("\N{MINUS SIGN}", "-").replace(POWER, "e")
     bare, size = coherent(unit)

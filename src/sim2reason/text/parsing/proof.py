@@ -1,6 +1,6 @@
 """Verification of a parse: its scene, rendered with the wordings of the parse, must reproduce the text.
 
-Only zeros at the end of a decimal fraction are no matter, nor are prefixes: *1.20 km* is *1.2 km* and *1200 m*.
+Trailing zeros of decimals and SI prefixes are ignored: *1.20 km* equals *1.2 km* and *1200 m*.
 """
 
 import re
@@ -54,7 +54,7 @@ class ScriptedWriter(Writer):
     ) -> None:
         """Store the script of a parse: the indices of the wordings of all sentences that the text contains.
 
-        Symbols in `given` stand. What the text does not say of a start that it leaves out is passed over.
+        Symbols in `given` are written as symbols. Sentences on an initial state that the text omits are skipped.
         """
         super().__init__(scene, state.names, np.random.default_rng(0), _voice(given, state.unknowns), order, without)
         self._script, self._state = iter(state.script), state

@@ -74,9 +74,9 @@ def parse_scene(
 ) -> ParsedScene:
     """Parse a text that describes a scene.
 
-    The text may be in the words of the library, as `describe` writes it, or in ordinary English. In the latter each
-    sentence must mean exactly what a sentence of the library says, or the whole must be one of the kinds of scene that
-    ``sim2reason.list("textbook_scenes")`` returns. Readings that move alike and use the same names count as one.
+    The text may use the sentences of the library, as written by `describe`, or ordinary English. In ordinary English
+    each sentence must have an equivalent sentence of the library, or the whole text must match one of the kinds of
+    scenes in ``sim2reason.list("textbook_scenes")``. Parses with equal motions and names count as one.
 
     Args:
         text: The text, without a question.
@@ -301,8 +301,8 @@ class _Grammar:
 def _joined_on(name: str, kind: type[Connection], told: ParsedSentence[ParseState]) -> ParseState | None:
     """Return the state with a connection added; None if the order of sentences contradicts its direction.
 
-    The Writer tells the lines of entities in the order of the links, but a string from the end that makes
-    the better sentence; so if the lines came the other way round, the links are the other way round.
+    The Writer renders the sentences of entities in the order of the links, but a string from the end that gives the
+    better sentence; if the sentences are in the opposite order, the links are reversed.
     """
     state, links = told.state, told.links
     on = [link.entity for link in links if link.entity in state.waiting]

@@ -18,8 +18,8 @@ from sim2reason.scenes.dsl.vectors import minus, product
 class Closing:
     """A closing sentence in several wordings, and the condition under which a scene needs it.
 
-    `of_symbol` is the wording where its number is a symbol, which none of the others would then define. One with a
-    `topic` is told only for a question that it matters to.
+    `of_symbol` is the wording for a symbolic number, which the other wordings would not define. A closing with a
+    `topic` appears only in texts of questions that it matters for.
     """
 
     name: str
@@ -42,7 +42,7 @@ def _from_rest(scene: Scene) -> bool:
 def _strings(scene: Scene) -> int:
     """Return the number of strings, capped at 2; 0 if all that can go slack are already stated to be taut.
 
-    A massive pulley parts one string into several lines.
+    A massive pulley divides one string into several lines.
     """
     taut = tuple(f"{named.name}." for named in scene.entities if named.entity.tells_taut)
     lines = [line for line in scene.mechanism.lines if isinstance(line.law, Inextensible | ConstantTension)]

@@ -107,7 +107,7 @@ def listed(noun: str, letters: list[str], *, full: bool) -> str:
 def letters(order: Iterable[str], bodies: Mapping[str, Body]) -> dict[str, str]:
     """Return letters by address in the order of first mention; a single body of its series has none.
 
-    Classes with the same series share it, as if there had never been groups.
+    Classes with the same series of letters share it.
     """
     series: dict[str, list[str]] = {}
     for address in order:

@@ -22,7 +22,7 @@ DEGREES, RADIANS = "deg", "rad"
 def factor(unit: str) -> float:
     """Return the factor from a stated unit to the unit in formulas: 1 except for degrees and kilometres.
 
-    Units of coherent systems other than the SI, such as those of astronomy, stand in formulas as they are.
+    Units of other coherent systems, such as those of astronomy, are unchanged.
     """
     own = frozenset[str]().union(*(system.own for system in SYSTEMS))
     return 1.0 if own & {word for word, _ in factors(unit)} else parse_unit(unit).factor

@@ -171,8 +171,8 @@ class Terms(ABC):
 def _zeros_last(said: list[Parameter]) -> list[Parameter]:
     """Return the parameters with zero positions last, so that nonzero ones get the lowest indices.
 
-    They are told as zeros, and after the others they leave them x₁, x₂. A place with one zero keeps its turn: it has
-    one index for all its coordinates.
+    Zeros are stated as zeros and need no index. The coordinates of one position share an index, so a position with a
+    single zero keeps its place in the order.
     """
     kinds = {(p.path.rpartition(".")[0], p.measure.name) for p in said if p.value}
     return sorted(said, key=lambda p: (p.path.rpartition(".")[0], p.measure.name) not in kinds)

@@ -47,7 +47,7 @@ class Writer(Terms):
     ) -> None:
         """Prepare a text; `order` is the order in which a first pass stated the numbers.
 
-        Sentences on topics that it is `without` stay unsaid.
+        Sentences on the topics in `without` are omitted.
         """
         super().__init__(scene, names, voice, order)
         self._rng, self._without = rng, without
@@ -202,7 +202,7 @@ class Writer(Terms):
     def render(self, template: str, address: str, *, start: bool = True) -> str:
         """Render a template of the entity or part at `address`, introducing bodies at their first mention.
 
-        Inside a sentence it is no `start`: there a body that is known goes by its letter alone.
+        Without `start` the template is inside a sentence, where an introduced body is named by its letter alone.
         """
         text = ""
         for slot in slots(template):

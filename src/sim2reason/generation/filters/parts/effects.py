@@ -54,8 +54,8 @@ class Effect:
 def effects(candidate: Candidate, *, part: bool) -> Iterator[Effect]:
     """Yield the effects of all misconceptions that remove a part of the scene, or of all others.
 
-    Nothing that the question itself speaks of is taken away or held. What such answers by nature do not depend on may
-    well be left out, as how it begins of the period of small oscillations: that is no slip.
+    Objects named in the question are never removed or held. Omissions on which answers of this kind never depend, such
+    as the initial state for a period of small oscillations, are not errors.
     """
     for simplification in in_order():
         if simplification.part == part:
@@ -82,7 +82,7 @@ def effects_of(simplification: Simplification, candidate: Candidate) -> Iterator
 def far_effects(candidate: Candidate) -> Iterator[Effect]:
     """Yield the effects of misconceptions that change the mechanism, simulated for longer.
 
-    They take the most time.
+    These are the most expensive effects; their answers are usually far from the correct one.
     """
     query, study = candidate.question.query, candidate.study
     until = LONGER * _until(candidate)
@@ -105,7 +105,7 @@ def _effect(
 def _spared(simplification: Simplification, candidate: Candidate) -> set[str]:
     """Return the unknown, and the subjects of the question that the misconception must not remove or hold.
 
-    An empty name is none of these: it stands for the whole scene.
+    The empty name stands for the whole scene and is excluded.
     """
     spared = {candidate.question.unknown}
     if simplification.part or simplification.holds:
@@ -136,8 +136,8 @@ BEARS = 5e-3  # relative change of the answer from which it depends on the inert
 def turns_by_weight(candidate: Candidate) -> bool:
     """Return whether the answer depends on weight and on the inertia of rotation about a body's own centre.
 
-    Without weight, as in L = m v R of a hoop that rolls, it may be by definition that inertia bears. And with none at
-    all, what slips would roll: so a little more of it tells more than nothing.
+    Without weight, as in L = m v R of a rolling hoop, the answer may contain the inertia by definition. The test
+    increases the inertia slightly, because without any inertia sliding bodies would roll.
     """
     if not solid(candidate.study.mechanism):
         return False

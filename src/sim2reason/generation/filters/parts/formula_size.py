@@ -14,7 +14,7 @@ LENGTH = Symbol("length")
 def size(whole: Expression) -> int:
     """Return the number of symbols in a formula, counted with repetitions; an initial vector counts once.
 
-    The size of a vector that is given is one, and so is a root that stands there again, as √(k/m) in A ω sin ωt.
+    The magnitude of a given vector counts as one symbol, and so does a repeated root, such as √(k/m) in A ω sin ωt.
     """
     shortest = parted(gathered(_with_lengths(whole), symbols_in))
     return symbols_in(shortest) - sum(symbols_in(root) - 1 for root in _again(shortest, set()))

@@ -76,7 +76,7 @@ def _is_said(scene: Scene, parameter: Parameter) -> bool:
 def elasticities(candidate: Candidate) -> Iterator[Elasticity]:
     """Yield the elasticities of the answer to all stated numbers, each shifted by one part in a thousand.
 
-    Numbers that the worked solution does not use come first: one that has no bearing is found without the others.
+    Numbers that the worked solution does not use come first, so that an irrelevant one is found early.
     """
     study = candidate.study
     before = study.trace.story(candidate.time)
@@ -104,8 +104,8 @@ def _used(candidate: Candidate) -> set[str]:
 def matters(candidate: Candidate, found: Elasticity) -> bool:
     """Return whether halving or doubling a number (or rotating an angle) changes the answer beyond the tolerance.
 
-    Where the motion then is slower, it is followed for longer; where it was not followed for long enough to tell, that
-    tells nothing.
+    If the motion becomes slower, it is simulated for longer; if the answer is still not reached, the test is
+    inconclusive.
     """
     if found.reordered or found.size >= ENOUGH * candidate.tolerance:
         return True
@@ -124,7 +124,7 @@ def matters(candidate: Candidate, found: Elasticity) -> bool:
 def shifted(study: Study, given: Given, until: float | None) -> Study | None:
     """Return the motion with a number shifted, in the other direction if invalid; None if neither is valid.
 
-    The components of a vector are shifted to opposite sides, so that it turns.
+    The components of a vector are shifted in opposite directions, which rotates it.
     """
     for factors in ((1.0 + SHIFT, 1.0 - SHIFT), (1.0 - SHIFT, 1.0 + SHIFT)):
         other = study.with_values(given.at(study.scene, factors), until)
@@ -155,7 +155,7 @@ def of_question(candidate: Candidate) -> int:
 def shortfall(candidate: Candidate, moving: Sequence[Given]) -> str:
     """Return what the numbers that change the answer lack, in a few words; empty if they suffice.
 
-    The numbers that the question itself states count as well, and what it leaves unknown; g does not.
+    The numbers stated in the question and its unknown count as well; g does not.
     """
     mechanism = candidate.study.mechanism
     bodies = [body for body in mechanism.bodies if body.mass > 0.0 and body.coordinates]

@@ -108,10 +108,7 @@ def _goes_with(candidate: Candidate, view: View, angle: Factor, function: View) 
 
 
 def turned(candidate: Candidate, angle: Factor) -> tuple[float, float] | None:
-    """Return an angle changed by `FAR`, rad, and the answer there; None if there is no answer either way.
-
-    With the answer there.
-    """
+    """Return an angle changed by `FAR`, rad, and the answer there; None if there is no answer either way."""
     study = candidate.study
     for turn in (FAR, -FAR):
         values = {angle.path: float(study.scene.value(angle.path)) + turn}

@@ -95,7 +95,7 @@ def _holds_turned(candidate: Candidate, root: float, terms: Terms, front: tuple[
 def _terms(factors: Sequence[Factor], root: float) -> Iterator[tuple[float, Terms]]:
     """Yield pairs of products whose sum may be the answer to the power `root`, with the share of the first.
 
-    In Z = A + B the power of x^q that stands in A is q A/Z, of one in B q (1 - A/Z), of one in both q.
+    In Z = A + B, the elasticity of Z in x is q A/Z if x^q is in A, q (1 − A/Z) if it is in B, and q if it is in both.
     """
     ways = [(factor, _ways(factor, root)) for factor in factors]
     for mixed in (factor for factor in factors if not _half(root * factor.power, NEAR)):
@@ -127,7 +127,7 @@ def _ways(factor: Factor, root: float) -> list[_Way]:
 def _places(factor: Factor, ways: Sequence[_Way], share: float) -> list[_Place]:
     """Return the possible exponents of a number in the two terms, by the share of the first term.
 
-    As k does in √(k² d² + k m v²).
+    A number may occur in one term, in both, or with a higher power in one, as k does in √(k² d² + k m v²).
     """
     found: list[tuple[View, tuple[float, float]]] = []
     for function, power, both in ways:

@@ -16,9 +16,9 @@ MOST = 1000  # parses of one sentence that are tried
 def assuming(assumed: Sequence[Regime], words: Words) -> str:
     """Return the sentence that states some assumptions.
 
-    As in *assume that block A moves down the slope and that the string stays taut*: in the order of time, what is so at
-    the start, all the while, and at the moment asked about. Where two clauses in a row are about one body, the second
-    one calls it *it*.
+    For example: *assume that block A moves down the slope and that the string stays taut*. Assumptions are in the order
+    of time: the start, the whole motion, the moment. If two consecutive clauses concern one body, the second one calls
+    it *it*.
     """
     ordered = sorted(assumed, key=lambda held: (held.stage, held.clause(words)))
     clauses = [_clause(held, ordered[:number], assumed, words) for number, held in enumerate(ordered)]

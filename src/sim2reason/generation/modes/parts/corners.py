@@ -28,9 +28,9 @@ def leaving(
 ) -> Variation | None:
     """Return the scene, with each number at an end of its range, that minimises a margin; others stay positive.
 
-    Which ends these are is guessed as if all that each of them changes, as is `known` of it alone, added up. From the
-    best guess on, and from some scenes that are `known`, each number is tried at its ends. None if nothing is known of
-    the margin.
+    The ends are guessed by adding the effects of the single numbers, taken from the `known` variations. Starting from
+    the best guess, and from some `known` scenes, each number is tried at both ends. None if nothing is known about the
+    margin.
     """
     own = variations.own()
     here = [each(own) for each in (margin, *others)] if own is not None else [None]
@@ -69,7 +69,7 @@ def _alone(
 ) -> tuple[Array, Array]:
     """Return the factors on each number, (n, s), and the change of each margin by each factor alone, (m, n, s).
 
-    The first is the number itself; those that are fewer than others have it several times.
+    The first factor is 1; shorter lists are padded with 1.
     """
     here, single = np.array([each(own) or 0.0 for each in told]), list[dict[float, Array]]()
     for held in variations.symbols:
@@ -91,8 +91,8 @@ def _descended(
 ) -> tuple[Variation | None, float]:
     """Return a scene after one pass of coordinate descent on the first margin, and the margin there.
 
-    Once each: beyond that hardly anything changes. What is asked about may come at the wrong time for that at both
-    ends: its numbers have some factors in between.
+    One pass suffices. For numbers of the question, intermediate factors are tried too, because an event may fail to
+    occur at both ends.
     """
 
     def at(times: Sequence[float]) -> tuple[Variation | None, float]:
@@ -140,8 +140,8 @@ def counterexample(
 ) -> Variation | None:
     """Return a scene in which the formula fails, sought where it is negative or undefined; None if none is found.
 
-    Numbers are the scene's own times factors whose logarithms are at most `width`, all or some of them; half of them
-    have any signs. None if none is found.
+    All or some numbers are multiplied by factors with logarithms of at most `width`; half of the signed ones get random
+    signs.
     """
     own = variations.own()
     if own is None:

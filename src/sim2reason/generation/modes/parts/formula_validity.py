@@ -48,7 +48,7 @@ class FormulaValidity:
     ) -> tuple[ClosedForm, tuple[Regime, ...]] | None:
         """Return the formula as the answer, and its assumptions; None if no formula agrees with the engine.
 
-        Where no sign is asked for, sizes stand between bars if no few regimes fix their signs.
+        If no sign is requested and no few regimes fix the signs, absolute values stay between bars.
         """
         self._whole, self._signed = (whole,), signed
         if not self.near(whole, rng):
@@ -108,7 +108,7 @@ class FormulaValidity:
     def assumed(self, formula: ClosedForm, rng: np.random.Generator, words: Words) -> tuple[Regime, ...] | None:
         """Return the fewest regimes that exclude all scenes in which the formula fails; None if no few do.
 
-        And those that are told always, first of all. Once they are chosen, a counterexample is looked for.
+        Regimes that are always stated come first. After each choice a counterexample is sought.
         """
         for _ in range(COUNTEREXAMPLES):
             found = self._chosen(formula, rng, words)
@@ -124,8 +124,8 @@ class FormulaValidity:
     def _chosen(self, formula: ClosedForm, rng: np.random.Generator, words: Words) -> tuple[Regime, ...] | None:
         """Return the fewest regimes that exclude all known counterexamples; None if no few do.
 
-        Scenes are looked for far from the scene's own, and then where what the scene does is left though all that is
-        told holds: a string may go slack, or what slides stick, without a sum in the formula turning its sign.
+        Scenes are sought far from the original, and at the limits of the regimes: a string may go slack, or a sliding
+        body stick, without a change of sign in the formula.
         """
         kept = self._shared(words)
         excluding: list[set[Regime]] = []
@@ -146,8 +146,8 @@ class FormulaValidity:
     def _fewest(self, kept: Sequence[Regime], excluding: Sequence[set[Regime]]) -> tuple[Regime, ...] | None:
         """Return the fewest regimes with at least one in each given set, with all that are always stated.
 
-        Where some few do, they also leave no scene that begins in another way or loses one, and then has no answer: a
-        text that does not exclude that seems to ask for it, too.
+        Among equally few regimes, those are preferred that also exclude scenes without an answer that begin differently
+        or leave a regime, because the text would otherwise seem to include them.
         """
         told = {held for held in kept if held.always_told(self._near[0].study)}
         begun = [*excluding, *self._begun_otherwise(kept)]
@@ -172,7 +172,7 @@ class FormulaValidity:
     def _leaving(self, held: Regime, told: Sequence[Regime]) -> Variation | None:
         """Return a scene outside a regime, or as close to its limit as possible, that satisfies the stated regimes.
 
-        None where there has been one.
+        None if a known variation is already outside the regime.
         """
         if held in told or (held, tuple(told)) in self._left:
             return None

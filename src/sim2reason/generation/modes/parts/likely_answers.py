@@ -13,7 +13,7 @@ from sim2reason.text.prose.symbol_names import factor
 def likely_answers(query: Query, study: Study, words: Words, path: str) -> Callable[[float], float] | None:
     """Return the expected answer to a query about a limit as a function of the number at an address.
 
-    0 where it has no value. None of other queries, and where none is derived.
+    The function returns 0 where the formula has no value. None for other queries, and if no formula is derived.
     """
     if not query.hides or path not in words.symbols:
         return None

@@ -15,7 +15,7 @@ from sim2reason.text.prose.symbol_names import factor
 class ProblemSymbol:
     """A symbol of a problem, with its unit and value as stated, and the address of its number.
 
-    What the question itself says has no address. A `signed` one may stand for a negative number, too.
+    Numbers of the question itself have no address. A `signed` symbol may stand for a negative number.
     """
 
     symbol: str

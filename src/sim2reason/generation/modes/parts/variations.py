@@ -53,7 +53,7 @@ class Variations:
     ) -> Iterator[Variation]:
         """Yield answered variations with every number times a random factor of logarithm at most `width`.
 
-        The motions of those that have none are added to `unanswered`.
+        Motions without an answer are added to `unanswered`.
         """
         for values in self._around([held.value for held in self.symbols], rng, width, tries):
             found = self._at(values, unanswered)
@@ -68,7 +68,7 @@ class Variations:
     def across(self, rng: np.random.Generator, width: float, tries: int) -> Iterator[Variation]:
         """Yield variations with the question's numbers mirrored at the initial value.
 
-        Nothing is drawn where they have one side alone.
+        None are drawn for numbers that are restricted to one side.
         """
         moment = self.query.moment
         other = moment.across(self.study.trace) if moment is not None else None
@@ -86,8 +86,8 @@ class Variations:
     ) -> Iterator[Variation]:
         """Yield variations in which a sum in one of the formulas changes its sign or vanishes.
 
-        There they are likely not to hold, and numbers drawn at random may all miss a small such corner. Just beyond the
-        turn, too, where most is as it was; a sum that no number drawn turns is turned on purpose.
+        Formulas likely fail there, and random numbers may miss such a small region. Numbers just beyond the change of
+        sign are included; a sum that random numbers never change is changed deliberately.
         """
         here = [held.value for held in self.symbols]
         sums = [*dict.fromkeys(held for formula in formulas for held in (formula, *sums_in(formula)))]
@@ -129,7 +129,7 @@ class Variations:
     def one_by_one(self, width: float, unanswered: list[Study]) -> Iterator[Variation]:
         """Yield variations with one number far smaller or larger than all others of its unit.
 
-        Symbols do not say which of several is the largest, nor whether an angle is acute.
+        Symbols state neither which of several numbers is the largest, nor whether an angle is acute.
         """
         here = [held.value for held in self.symbols]
         for n, (least, most) in enumerate(zip(self._sizes(min), self._sizes(max), strict=True)):
@@ -144,9 +144,8 @@ class Variations:
     def mirrored(self, rng: np.random.Generator, width: float) -> Iterator[Variation]:
         """Yield variations with one signed number negated, then with random signs and shifted numbers.
 
-        Then with any signs and all numbers drawn anew, and again with such numbers shifted, far or a little, which may
-        turn signs while the rest stays as it is. Often where a motion costs little: most of these have no answer, and
-        then are not what a text seems to ask for.
+        A text in symbols does not state their signs. Cheap motions are drawn more often, since most of these variations
+        have no answer.
         """
         unanswered: list[Study] = []
         here, may = [held.value for held in self.symbols], np.array([held.signed for held in self.symbols])

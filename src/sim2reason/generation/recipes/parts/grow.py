@@ -36,7 +36,7 @@ LEVEL = 1e-9  # of a direction, or m; smaller values are rounding errors
 def leads_below_floor(scene: Scene, joint: Joint) -> bool:
     """Return whether a string runs horizontally from the foot of a slope on a floor to the top of another slope.
 
-    The other slope would lie below the floor. What hangs there may: beyond the edge of a table, say.
+    Then the other slope would be below the floor. Hanging bodies are allowed there, as beyond the edge of a table.
     """
     ends = [stop for stop in joint.stops if isinstance(stop.port, StringEnd)]
     return any(_leaves_at_foot(scene, end) for end in ends) and any(_leaves_upwards(scene, end) for end in ends)
@@ -90,8 +90,8 @@ CLOSERS = {HAND: 0.4, "FixedSupport": 0.6}
 class Tier:
     """The difficulty settings of growth: number and types of entities, and ranges of numbers.
 
-    `groups` are pools of entity types with their weights; a scene has an entity of each. `rough` is the chance that
-    faces have friction, `massive` that pulleys have mass, `more` that an optional port is used.
+    `groups` are pools of entity types with weights; a scene has one entity of each. `rough` is the probability of
+    friction, `massive` that of massive pulleys, and `more` that of using an optional port.
     """
 
     size: Count

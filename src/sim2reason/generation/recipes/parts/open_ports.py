@@ -30,7 +30,7 @@ class OpenPort:
     def meets(self, other: "OpenPort", kind: type[Connection]) -> bool:
         """Return whether a connection can run to another port; a vertical one needs a hanging end.
 
-        A string can turn over a pulley on its way; nothing else can.
+        Only a string can change its direction, at a pulley on its way.
         """
         here, there = self.direction, other.direction
         turns = issubclass(kind.joins, StringPort) and not (is_down(here) or is_down(there))

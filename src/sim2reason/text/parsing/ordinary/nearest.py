@@ -54,7 +54,7 @@ def filled(form: Form, said: Content) -> str:
 def _values(form: Form, said: Content) -> Iterator[str | None]:
     """Yield, for each number of a form, the matching number of the user's sentence, or None if ambiguous.
 
-    It is the next unused one of the same kind (a mass for a mass), or None where another one could be meant as well.
+    Numbers correspond if they are of the same kind, such as two masses, and in order.
     """
     left = list(enumerate(said.numbers))
     kinds = [coherent(unit)[0] for unit in form.units]

@@ -116,7 +116,7 @@ def _forms(sentence: str) -> list[list[tuple[str, float]]] | None:
 def _known(sentence: str) -> list[tuple[str, float]] | None:
     """Return the library's sentences for a clause of the user's text, each with its usual relative position.
 
-    None stands for a clause that the library cannot say, an empty list for *it starts from rest*, which needs no words.
+    None means that the library has no sentence for the clause; the list is empty for *it starts from rest*.
     """
     forms = same(sentence)
     if any(form.text in RESTS for form in forms):
