@@ -18,8 +18,8 @@ FOLDER = ".sim2reason"
 def put(path: Path, write: Callable[[Path], object], scratch: Path) -> None:
     """Write a file atomically: `write` fills a temporary file in `scratch`, which is then renamed to `path`.
 
-    A kill leaves the old file, the new one or none. OSError names the file that could not be written; no error leaves
-    anything half done.
+    If the process is killed, the old file, the new one or none exists. OSError names the file that could not be
+    written; errors leave no partial file.
     """
     temporary = scratch / f"{path.name}.{os.getpid()}{TEMPORARY}"
     try:
@@ -73,7 +73,7 @@ def canonical(value: object) -> str:
 def locked(place: Path, *, shared: bool = False) -> Generator[None, None, None]:
     """Lock a folder while the block runs, exclusively, or with other shared holders only.
 
-    The lock ends with the process, however it ends. DatasetError if another run has it.
+    The lock ends with the process in any case. DatasetError if another run holds it.
     """
     handle = os.open(place, os.O_RDONLY)
     try:
@@ -90,7 +90,7 @@ def locked(place: Path, *, shared: bool = False) -> Generator[None, None, None]:
 def working_in(place: Path) -> Generator[None, None, None]:
     """Create and lock a folder while the block runs; remove it afterwards if it was created here and stays empty.
 
-    DatasetError if another run has it.
+    DatasetError if another run holds the lock.
     """
     made = [folder for folder in (place, *place.parents) if not folder.exists()]
     place.mkdir(parents=True, exist_ok=True)

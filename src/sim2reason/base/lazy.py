@@ -10,7 +10,7 @@ T = TypeVar("T")
 class cached_property(functools.cached_property[T]):  # noqa: N801 - it stands for the one of the standard library
     """A `functools.cached_property` without the lock of Python 3.11 and earlier, which takes 4 % of an item's time.
 
-    Two threads may work the same value out twice, and either is kept.
+    Two threads may compute the same value twice; either result is kept.
     """
 
     __module__ = functools.__name__  # by which pydantic tells it from a field

@@ -21,7 +21,7 @@ M = TypeVar("M")
 class Registry(Mapping[str, T], Generic[T]):
     """The members of one kind, by name; filled on first use from its package and from entry points.
 
-    A third party adds members by an entry point in the group ``sim2reason.<kind>`` that names a module.
+    Third parties add members by an entry point in the group ``sim2reason.<kind>`` that names a module.
     """
 
     def __init__(
@@ -29,9 +29,9 @@ class Registry(Mapping[str, T], Generic[T]):
     ) -> None:
         """Define a registry: `kind` ends with its displayed plural and names its group of entry points.
 
-        `package` is imported module by module to fill the registry; by default ``sim2reason.<kind>``.
+        The modules of `package`, by default ``sim2reason.<kind>``, are imported to fill the registry.
 
-        `check` takes the name and the member to be added, and raises for one that would do nothing.
+        `check` receives the name and the member to add, and raises an error for an invalid member.
         """
         self.package = package or f"{LIBRARY}.{kind}"
         self.kind, self.called = kind, kind.rpartition(".")[2]
@@ -123,7 +123,7 @@ class Registry(Mapping[str, T], Generic[T]):
 def further_members() -> dict[str, tuple[str, ...]]:
     """Return the names of members from outside the library, by module, in registration order.
 
-    A process that works for a program imports these modules first.
+    A worker process imports these modules first.
     """
     found: dict[str, tuple[str, ...]] = {}
     for module, name, registry in _further:

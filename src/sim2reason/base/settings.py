@@ -46,7 +46,7 @@ M = TypeVar("M", bound=BaseModel)
 class _Plain(SafeLoader):
     """A YAML loader without aliases, duplicate keys, and values that YAML 1.1 and 1.2 read differently.
 
-    YAML 1.1 takes 012 for 10, 1:30 for 90 and *on* for true; here, as in scene files, they are refused.
+    YAML 1.1 reads 012 as 10, 1:30 as 90 and *on* as true; such values are refused, as in scene files.
     """
 
     def compose_node(self, parent: Node | None, index: Any) -> Node | None:  # noqa: ANN401 - the library's own

@@ -1,7 +1,7 @@
 """The YAML subset of scene files: strict parsing with line numbers, and canonical writing.
 
-Mappings, lists, numbers, words and quoted strings; nothing else. Anchors, tags, merges and the many spellings that
-YAML 1.1 takes for numbers, dates and truth values are refused, so that a file means the same to every reader.
+Mappings, lists, numbers, words and quoted strings only. Anchors, tags, merges and the other YAML 1.1 spellings of
+numbers, dates and booleans are refused, so that all YAML readers agree on a file.
 """
 
 import json
@@ -55,7 +55,7 @@ def shown(value: object) -> str:
 def parse(text: str, lines: Lines | None = None) -> Plain:
     """Parse a text into dicts, lists and scalars; SceneError names the path, the line and the remedy.
 
-    `lines`, if given, is filled. The limits hold before anything is built.
+    `lines`, if given, is filled with the line numbers by path. Limits are checked before any object is built.
     """
     if len(text) > MAX_BYTES or len(text.encode("utf-8", "replace")) > MAX_BYTES:
         raise SceneError("the file", f"it has more than {MAX_BYTES} bytes", "give a smaller scene")

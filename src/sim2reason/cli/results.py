@@ -30,8 +30,8 @@ def tell(text: str, out: Path | None) -> None:
 def written(out: Path) -> Generator[Path, None, None]:
     """Return a context with the path of a temporary file that becomes `out` on success.
 
-    It stands beside `out` under a name that nobody else has, so a kill loses nothing. What is no file, such as a
-    device or a pipe, is written to. OSError names `out`.
+    It is beside `out` under a unique name, so a kill loses nothing. Special files, such as devices and pipes, are
+    written directly. OSError names `out`.
     """
     if out == STDOUT:
         raise click.UsageError("-: what is written is no text for standard output; give it a file.")

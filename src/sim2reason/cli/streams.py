@@ -13,7 +13,7 @@ FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}
 def prepare() -> None:
     """Open closed standard streams, so that no other file takes their numbers.
 
-    Names of files need not be UTF-8; standard output says their bytes as they are.
+    File names need not be UTF-8; standard output prints their bytes unchanged.
     """
     for number, name in enumerate(("stdin", "stdout", "stderr")):
         if getattr(sys, name) is None:

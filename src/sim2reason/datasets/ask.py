@@ -81,7 +81,7 @@ def ask(
 def asked(scene: Scene, mode: Names, items: int, seed: int, *, unfiltered: bool = False) -> AskedScene:
     """Return the items and text of a scene with the counts of rejections; modes alternate.
 
-    One problem with other numbers is asked again only where there are too few others.
+    A problem that differs only in its numbers is repeated only if there are too few others.
     """
     modes = modes_named(mode)
     search = QuestionSearch(eventful(motion_of(scene)).study, seed, unfiltered=unfiltered)
@@ -118,8 +118,8 @@ def asked(scene: Scene, mode: Names, items: int, seed: int, *, unfiltered: bool 
 def _answer(question: Question, item: Item) -> Hashable:
     """Return a key, usually the answer, that no two questions about a scene may share.
 
-    By default that is the answer. Of a number that the text leaves open it is also which number. If the scene's own
-    value is the answer, as to the question which mass leads to a given speed, the query counts instead of the answer.
+    For an unknown number the key includes its address. If the scene's own value is the answer, as for the mass that
+    gives a stated speed, the key is the query.
     """
     if not question.unknown:
         return item.answer.shown

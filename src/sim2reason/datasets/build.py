@@ -132,8 +132,9 @@ class Work(TypedDict, total=False):
 def build(out: Path | str, config: Config, **work: Unpack[Work]) -> Manifest:
     """Build the dataset of `config` in the folder `out`, and return its manifest.
 
-    May be interrupted at any moment: the next call makes what is missing or damaged, and ends in the same bytes,
-    whoever works and where. A dataset of fewer items and otherwise the same configuration is gone on with, too.
+    The build may be interrupted at any time: the next call makes what is missing or damaged, and produces the same
+    bytes with any number of workers on any machine. A smaller dataset with otherwise the same configuration is
+    extended.
 
     Raises:
         DatasetError: `out` holds anything else, a weight makes no sense, or `config` names other benchmarks. And if
@@ -160,9 +161,9 @@ def build(out: Path | str, config: Config, **work: Unpack[Work]) -> Manifest:
 def build_part(out: Path | str, config: Config, part: Part, **work: Unpack[Work]) -> int:
     """Make every N-th shard of a dataset, while other processes make the others; `build` then completes it.
 
-    `part` is this process's number, from 0, and how many there are. It gives the number of items that stand in its
-    shards, among which duplicates are not yet looked for, nor what is to take their place. DatasetError if another
-    process has the same part, or `build` is at work, too.
+    `part` is the index of this process, from 0, and the number of processes. Returns the number of items in its shards,
+    before duplicates are removed and replaced. DatasetError if another process has the same part, or `build` is
+    running.
     """
     number, parts = part
     if not 0 <= number < parts:

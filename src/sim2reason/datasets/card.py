@@ -1,7 +1,7 @@
 """The dataset card: a README.md in the format of the Hugging Face Hub.
 
-Its front matter is that of https://huggingface.co/docs/hub/datasets-cards: the names of sizes, tasks and licences are
-the hub's.
+The front matter follows https://huggingface.co/docs/hub/datasets-cards, with the Hub's names of sizes, tasks and
+licences.
 """
 
 import json

@@ -14,9 +14,9 @@ FALSE_ALARM = 1e-3
 class Cell(Record):
     """The counts for one mode, kind and recipe.
 
-    `asked` counts the requests that the weights gave this kind, among those that their scenes offer and of which no
-    textbook has the answers ready (`few laws`); `kept` the items, those included that took the place of a kind whose
-    questions were all refused. An item with several parts counts for each kind that it asks.
+    `asked` counts the requests that the weights assigned to this kind, among kinds that the scenes offer and that are
+    not rejected as textbook problems (`few laws`); `kept` counts the items, including those that replaced a kind whose
+    questions were all rejected. An item with several parts counts for each of its kinds.
     """
 
     mode: str
@@ -55,8 +55,8 @@ def _summed(found: Iterable[tuple[Key, int, int]]) -> tuple[Cell, ...]:
 def enough(cells: int) -> int:
     """Return the number of requests from which an empty cell is not an accident.
 
-    If each request is kept with the probability p at least, n of them give nothing with at most (1 − p)^n, the binomial
-    distribution's P(0). Over all cells together that is to be at most `FALSE_ALARM`, by Bonferroni's inequality.
+    If each request is kept with probability at least p, all n fail with probability at most (1 − p)^n, the binomial
+    distribution's P(0). The sum over all cells is limited to `FALSE_ALARM`, by Bonferroni's inequality.
     """
     return ceil(log(FALSE_ALARM / max(cells, 1)) / log(1.0 - LEAST_KEPT))
 

@@ -100,9 +100,9 @@ def _first(found: Variants, starts: NDArray[np.int64], row: int, others: list[in
 def _neighbours(found: Variants, starts: NDArray[np.int64], limit: float) -> Iterator[tuple[int, list[int]]]:
     """Yield items that share a cell with others, in order, with the items of their shared cells.
 
-    For d numbers there are d + 1 grids with cells of d + 1 times the limit, each moved by the limit from the last one.
-    Of all their edges along one axis at most one lies between two numbers within the limit, so such items share a cell
-    in one of the grids at least (T. M. Chan, Approximate nearest neighbor queries revisited, 1998).
+    For d numbers there are d + 1 grids with cells of d + 1 times the limit, each shifted by the limit from the previous
+    one. Along each axis at most one grid has an edge between two numbers within the limit, so such items share a cell
+    in at least one grid (T. M. Chan, Approximate nearest neighbor queries revisited, 1998).
     """
     rows: list[NDArray[np.int64]] = []
     shared: list[NDArray[np.uint64]] = []
@@ -202,8 +202,8 @@ def marks(items: Sequence[tuple[int, Item]], *, scenes: bool) -> Marks:
 def doubles(read: Read, shards: int, items: int, distance: float) -> Iterator[tuple[int, list[Double]]]:
     """Yield the duplicates to remove, shard by shard.
 
-    An item goes if one before it that stays is the same, or closer than `distance`. So the pass gives the same if it is
-    repeated over shards of which some went through it already, and for the first shards of a larger dataset.
+    An item is removed if an earlier kept item is equal, or closer than `distance`. Hence the result is the same if the
+    pass is repeated on partly processed shards, and for the first shards of a larger dataset.
     """
     alike = same = np.full(items, NOBODY, dtype=np.int64)
     while True:  # each round is right for a longer beginning of all positions; the second one nearly always ends it

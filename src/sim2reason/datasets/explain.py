@@ -48,7 +48,7 @@ def explain(
 ) -> Explanation:
     """Explain where a problem of a dataset comes from, and why every filter kept it.
 
-    The problem is made again from its id, so that the explanation does not rely on the file.
+    The problem is regenerated from its id, so that the explanation does not rely on the file.
 
     Args:
         dataset: A dataset, or its folder.

@@ -68,7 +68,7 @@ def _unnamed(row: object) -> object:
 def plain(value: object, depth: int = DEEPEST) -> object:
     """Return a value of numpy, pandas or pyarrow as plain Python; an empty group becomes None.
 
-    What lies deeper than any item's column is left as it is.
+    Values nested deeper than any item's column are unchanged.
     """
     if not depth:
         return value
@@ -91,7 +91,7 @@ TOGETHER = 2000, 2**23  # responses graded together, at most, and bytes of their
 class Response(BaseModel):
     """The response of a policy to the item `id`: a text, or messages; further fields are ignored.
 
-    In a file, a list of texts is as many responses.
+    In a file, a list of texts counts as several responses.
     """
 
     id: str
@@ -160,8 +160,8 @@ def graded(
 ) -> Iterator[GradedResponse]:
     """Yield responses with their scores in order; few are in memory at a time.
 
-    Those to problems of other splits are passed over. DatasetError names an id that the dataset does not hold, or a
-    split, or says that no response is to a problem of these splits.
+    Responses to problems of other splits are skipped. DatasetError names an unknown id or split, or states that no
+    response is to a problem of these splits.
     """
     splits, passed_over, found = data.splits(split), False, False
     for _, some in groupby(_numbered(given), key=lambda pair: pair[0]):

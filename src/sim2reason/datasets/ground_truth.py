@@ -25,7 +25,7 @@ def ground_truth(right: Item | Answer | Letter) -> str:
 def answered(right: Item) -> str:
     """Return the answer as a person would write it: the formula, or the number to six digits in its unit.
 
-    Of a problem with several parts, all answers with their labels; of one with options, the letter.
+    For several parts, all answers with their labels; for multiple choice, the letter.
     """
     return _written(right.answer)
 

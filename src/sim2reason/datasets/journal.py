@@ -55,7 +55,7 @@ class Journal:
     def __init__(self, out: Path, config: Config, *, alone: bool = True) -> None:
         """Open the journal of `out`; DatasetError, without changes, if the folder belongs to something else.
 
-        `alone` says that no other run writes here at this time.
+        `alone` means that no other run writes here at this time.
         """
         self.out, self.folder, self.plan = out, out / FOLDER, RunPlan.of(config)
         manifest = self._claim()
@@ -128,7 +128,7 @@ class Journal:
     def stands(self, number: int) -> Shard | None:
         """Return the record of a shard if all its files exist undamaged, after renaming them for this plan.
 
-        It may be one of fewer positions than the shard is to have: the first of them.
+        The record may cover only the first of the shard's positions.
         """
         shard, wanted = self.shard(number), self.range(number)
         if shard is None or shard.positions[0] != wanted.start or shard.positions[1] > wanted.stop:

@@ -20,10 +20,10 @@ TRIES = 200
 class LazyProblems:
     """The problems of one split of a configuration by position, each a pure function of both.
 
-    Positions are dealt to recipes, difficulties and modes as those of a dataset. Where a request gives no problem of
-    the split, be it that no draw passes the filters, that the problem belongs to another split, or that it shares words
-    with a benchmark, the request of the same recipe, difficulty and mode at the index `MOST` further on takes its
-    place. So no two positions have one request. An instance is small, and can be pickled.
+    Positions cycle through recipes, difficulties and modes as in a dataset. If a request gives no problem of the split
+    (no draw passes the filters, the problem belongs to another split, or it shares words with a benchmark), the request
+    with the index increased by `MOST` replaces it, so that no two positions share a request. An instance is small, and
+    can be pickled.
 
     Args:
         config: what `generate` would make; `items` is the length. Items are not compared with each other.

@@ -68,7 +68,7 @@ class ShardFile(Record):
 class Shard(Record):
     """A range of positions: its files, one for each split, and the positions without items.
 
-    The list of all shards stands beside the manifest, one a line, so that nobody needs to hold it in memory.
+    The list of all shards is a file beside the manifest, one per line, so that it need not be in memory.
     """
 
     number: int

@@ -74,8 +74,8 @@ def numbers(what: str, pairs: object) -> dict[str, float]:
 class Config(Record):
     """The configuration of a dataset: with the versions it decides every byte.
 
-    Positions from 0 on without end are dealt to recipes, difficulties and modes. A dataset has the first `items` of
-    those that hold an item that none before them makes superfluous.
+    Positions from 0 on cycle through recipes, difficulties and modes. A dataset consists of the first `items` positions
+    whose items are not made redundant by earlier ones.
     """
 
     items: Annotated[int, Ge(0), Le(LARGEST)]
@@ -144,9 +144,9 @@ class Config(Record):
     def _cells(self) -> tuple[tuple[str, str, str], ...]:
         """Return all combinations of recipe, difficulty and mode, in an order that mixes them evenly.
 
-        Pairs of difficulty and mode form blocks, in which both change from each pair to the next and every difficulty,
-        and every mode, is as often as any other. Each turn goes over all recipes. A recipe has the next pair of its
-        block in each turn, and is one pair ahead of the recipe before it.
+        Pairs of difficulty and mode form blocks, in which both change from each pair to the next, and all difficulties
+        and modes are equally frequent. Each round covers all recipes. A recipe takes the next pair of its block in each
+        round, and is one pair ahead of the previous recipe.
         """
         levels, modes = len(self.difficulties), len(self.modes)
         block = lcm(levels, modes)
@@ -234,7 +234,7 @@ def difficulties_named(names: Names) -> tuple[Difficulty, ...]:
 def needs_named(names: Names) -> tuple[str, ...]:
     """Return needs by their labels, without repetitions in ascending order; UnknownNameError for others.
 
-    A hyphen may stand for a space. Without any the default quota holds.
+    A hyphen may replace a space. Without names the default quota applies.
     """
     found = {_need(name) for name in (tuple(NEEDS) if names == ALL else several("needs", names))}
     return tuple(need.label for need in sorted(found))

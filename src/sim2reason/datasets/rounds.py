@@ -22,15 +22,12 @@ BATCH = 10  # items: half a second of work, so that communication costs little
 class WorkQueue:
     """A queue of batches that collects their results and retries failed positions one by one.
 
-    After a crash or a hang, each position of the batch is tried once more, alone: the guilty one is found,
-    the others are not lost. A position that fails alone gives an outcome with a failure.
+    After a crash or a timeout, each position of the batch is retried alone, so that only the faulty one is lost; its
+    result records the failure.
     """
 
     def __init__(self, config: Config, missing: Iterable[range | None]) -> None:
-        """Plan the missing positions, each range of one shard; None means to wait for earlier ones.
-
-        None among them says that there are none before some of those that were given are made.
-        """
+        """Plan the missing positions, each range of one shard; None means to wait for earlier ones."""
         self._config = config
         self._open: dict[int, tuple[range, list[Attempt]]] = {}
         self._fresh = self._cut(missing)

@@ -11,7 +11,7 @@ from sim2reason.solutions.algebra.digits import DIGITS
 def separated(item: Item) -> tuple[Item, ...]:
     """Return each part as an item whose prompt contains the answers to earlier parts; other items unchanged.
 
-    Their ids are that of the item with the label of the part: ``pulley-easy-multipart-0-4-a``.
+    The id of each is that of the item with the label of the part: ``pulley-easy-multipart-0-4-a``.
     """
     if not item.parts:
         return (item,)

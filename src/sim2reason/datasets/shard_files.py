@@ -26,10 +26,7 @@ BySplit = Mapping[str, Sequence[Item]]
 
 
 def write(out: Path, scratch: Path, number: int, total: int, items: BySplit) -> tuple[ShardFile, ...]:
-    """Write the files of a shard, one for each split with items, since the Hub rejects files without rows.
-
-    Readers of the Hugging Face hub refuse a dataset that has a file without rows.
-    """
+    """Write the files of a shard, one for each split with items, since the Hub rejects files without rows."""
     named = {split: file_name(number, total, split) for split in items}
     for split, found in items.items():
         if not found:

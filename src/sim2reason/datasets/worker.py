@@ -41,7 +41,7 @@ Message = list[Attempt] | DatasetError | None
 def serve(pipe: "Connection[Message, Batch]", maker: str, modules: Sequence[str] = ()) -> None:
     """Process the batches from `pipe` until its other end is closed.
 
-    `modules` are imported first: modules outside the library whose members a maker may ask for.
+    `modules` outside the library, which register members for the maker, are imported first.
     """
     for number in SIGNALS:
         signal.signal(number, signal.SIG_IGN)  # the parent is interrupted, and decides
@@ -75,7 +75,7 @@ def _import(module: str) -> None:
 def collect_seldom() -> None:
     """Exclude loaded objects from garbage collection, and collect new ones less often.
 
-    It took a twelfth of the time that items take.
+    Collection took a twelfth of the time of an item.
     """
     gc.collect()
     gc.freeze()

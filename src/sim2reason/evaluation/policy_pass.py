@@ -52,8 +52,8 @@ def asked(
 ) -> Generator[PolicyPass]:
     """Return a context with the folder `out`, in which every item has been answered `k` times.
 
-    What was answered before is not asked again: with more tries, further items or after a kill, the same call goes on.
-    `advance` is told how many more answers are finished.
+    Existing answers are reused: with more tries, further items or after a kill, the same call continues. `advance`
+    receives the numbers of newly finished answers.
 
     Raises:
         EvaluationError: a folder that holds something else, or tries that got no answer.

@@ -70,8 +70,8 @@ def solvable(
 ) -> Solvable:
     """Keep the problems whose pass rate over `k` tries is strictly `between` two bounds.
 
-    `policy` may be a YAML file with its settings. What was answered before is not asked again: with more tries, other
-    bounds or after a kill, the same call goes on. `advance` is told how many more answers are finished.
+    `policy` may be a YAML file of settings. Existing answers are reused: with more tries, other bounds or after a kill,
+    the same call continues. `advance` receives the numbers of newly finished answers.
 
     Raises:
         EvaluationError: bounds or a number of tries that make no sense, or a folder that holds something else.

@@ -30,9 +30,9 @@ def choice(
 ) -> Score:
     """Grade a boxed letter against the correct one, where `letters` are those of all options; case is ignored.
 
-    Where the `values` of the options are known, in `unit`, the letter may be followed by the number of its option, and
-    that number alone stands for the letter. So does the text of an option, word for word, where `texts` are known.
-    Anything else beside the letter, such as a second one or the number of another option, makes it unreadable.
+    If the `values` of the options are known, in `unit`, the letter may be followed by the value of its option, and the
+    value alone counts as the letter. The exact text of an option counts too if `texts` are known. Anything else beside
+    the letter, such as a second letter or the value of another option, makes it unreadable.
     """
     try:
         content = boxed(response)

@@ -25,7 +25,7 @@ _ARC: Final = re.compile(
 def smaller_part(whole: str, tail: str, asked: Unit | None) -> tuple[Unit, float] | None:
     """Return the first unit of a value in several units, such as 1 h 5 min, and the fraction that the others add.
 
-    None if there is no such value, or the same number stands twice, which offers two units to choose from.
+    None if there is no such value, or if the same number occurs with two units, which is ambiguous.
     """
     if not whole.isdecimal():
         return None

@@ -43,8 +43,8 @@ _BEGINNING: Final = re.compile(
 def without_thinking(text: str) -> str:
     """Return the text after the last closing mark of the thinking.
 
-    Raises `Refused`: no answer where thinking is open at the end. A mark that is only quoted, within a line and with no
-    box after it, opens no thinking.
+    Raises `Refused` (no answer) if the thinking is unfinished. An opening mark that is only quoted, within a line and
+    without a later box, does not count.
     """
     begins = _BEGINNING.match(text) is not None
     if not begins and "<" not in text and not any(mark in text for pair in _PLAIN for mark in pair if mark):
@@ -97,7 +97,7 @@ _BRACE: Final = re.compile(r"\\boxed[ \t\n]{0,8}\{|\\[\\{}]|[{}]")
 def text_of(given: object) -> str:
     """Return the text of a response: the string, or the last of several messages; bytes are decoded as UTF-8.
 
-    Raises `Refused`: no answer, where it holds no text.
+    Raises `Refused` (no answer) if there is no text.
     """
     response = given
     for _ in range(NESTED):
@@ -136,8 +136,8 @@ def spoken(given: object) -> str:
 def boxed(response: object) -> str:
     """Return the content of the last complete, non-empty box; of nested boxes, that of the outermost.
 
-    Raises `Refused`: no answer without such a box, too long beyond 1000 characters, unreadable where print hides the
-    box or words beside it deny it.
+    Raises `Refused`: no answer without such a box, too long beyond 1000 characters, unreadable if the box is invisible
+    or denied by words beside it.
     """
     text = spoken(response)
     boxes = closed_boxes(text)

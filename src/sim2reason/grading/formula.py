@@ -1,8 +1,8 @@
 """Grading of formulas: a response is correct if its values equal those of the reference.
 
-A response is evaluated where all symbols are moved at once, at values that it cannot foresee: at the item's bindings,
-and, if those are few, at others drawn by `points` from a hash of the reference. Any equivalent form passes, no number
-and no approximation does.
+Response and reference are evaluated at unpredictable values of all symbols: at the item's bindings and, if these are
+few, at points drawn by `points` from a hash of the reference. Every equivalent form is accepted, numbers and
+approximations are not.
 """
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
@@ -93,7 +93,7 @@ def formula(
 class _Truth:
     """A reference with its table of symbols and its values at the test points.
 
-    At the first `firm` of them a response must have a value.
+    A response must be defined at the first `firm` of them.
     """
 
     table: frozenset[str]

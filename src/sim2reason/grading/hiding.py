@@ -1,7 +1,7 @@
 r"""Boxes that do not count as answers: boxes invisible when typeset, and boxes that the text denies.
 
-A box is hidden by a command around it (``\phantom``, ``\cancel``), by white ink, in a comment of LaTeX or HTML, or in
-an element that is not shown; it is denied by *not* before it or *is wrong* behind it.
+A box is invisible inside a command such as ``\\phantom`` or ``\\cancel``, in white ink, in a comment of LaTeX or HTML,
+or in a hidden element; it is denied by *not* before it or *is wrong* after it.
 """
 
 import re

@@ -85,7 +85,7 @@ def _textual(token: Token) -> bool:
 def names(side: Sequence[Token]) -> list[tuple[str, str]]:
     """Return the symbols on a side, each with its subscript.
 
-    A sign of change is a name only where it stands alone, and so is the number e.
+    A sign of change is a name only if it is alone, and so is the number e.
     """
     found = [token for token in side if token.kind in _NAMES and not _textual(token)]
     rest = [token for token in found if token.text not in _CHANGES] or found

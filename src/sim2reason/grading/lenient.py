@@ -1,7 +1,7 @@
 """The last quantity of a response without a box, for evaluation only, never for a reward.
 
-As a reward it could be farmed by ending on a likely number. What wraps an answer is taken off: tags, JSON, signs of
-mathematics, Markdown, tokens that end a text. Its sentence must offer no second value and no denial.
+As a reward it could be exploited by ending on a likely number. Wrappers of the answer are removed: tags, JSON,
+mathematical delimiters, Markdown, end-of-text tokens. Its sentence must contain neither a second value nor a denial.
 """
 
 import re
@@ -62,8 +62,8 @@ _LEFT: Final = re.compile(r"[^\s,;:]+")
 def last_quantity(response: object) -> Iterator[str]:
     """Yield candidates for the last quantity, longest first: its sentence, its equation, its number with unit.
 
-    Raises `Refused`: no answer where there is no number, wrong where the sentence offers another value or denies this
-    one, unreadable where the number is part of an expression.
+    Raises `Refused`: no answer without a number, wrong if the sentence contains another value or a denial, unreadable
+    if the number is part of an expression.
     """
     sentence = _last_sentence(_unwrapped(spoken(response)[-MAX_ANSWER:]))
     yield sentence

@@ -205,7 +205,7 @@ def _check(content: str, said: Statement, found: _Quantity, asked: Unit | None) 
 def _step(content: str, side: Sequence[Token], asked: Unit | None) -> _Quantity | None:
     """Return the value that a step assigns to another name; None for an expression of symbols.
 
-    None, too, where its unit shows that it can't be the answer.
+    None also if the unit shows that the value cannot be the answer.
     """
     try:
         claim = _claim(content, side, asked)
@@ -245,7 +245,7 @@ def _refuse_others(shown: str, said: Statement, side: Sequence[Token], asked: Un
 def _claim(content: str, side: Sequence[Token], asked: Unit | None) -> _Quantity | None:
     """Return the quantity on a numeric side; None for a name or an expression of symbols, which is a step.
 
-    Raises `Refused` for numbers that cannot be read.
+    Raises `Refused` for unreadable numbers.
     """
     if not labels.has_numbers(side) or labels.is_bare(side):
         return None

@@ -1,7 +1,7 @@
 """Parser of values: from tokens to a function of symbol values, in floats only.
 
-A product by juxtaposition binds as tightly as one with a sign, so ``a/bc`` could mean two things and is refused.
-Nothing here runs longer than a constant times the number of tokens, and nesting is capped.
+Juxtaposition binds as tightly as a multiplication sign, so ``a/bc`` is ambiguous and refused. The running time is
+linear in the number of tokens, and nesting is limited.
 """
 
 from collections.abc import Sequence
@@ -293,7 +293,7 @@ class _Parser:
 def parse(tokens: Sequence[Token], *, unit_follows: bool) -> tuple[Node, int, Refused | None]:
     """Parse the value at the start of `tokens`; return it, the number of tokens used, and why parsing stopped.
 
-    What is left may be a unit. Raises `Refused`: unreadable, wrong (a range), or too long (nested too deeply).
+    The remaining tokens may be a unit. Raises `Refused`: unreadable, wrong (a range), or too long (nested too deeply).
     """
     parser = _Parser(tokens, unit_follows=unit_follows)
     node = parser.quotient()

@@ -34,8 +34,8 @@ Grader = Callable[[str], Score]
 def parts(response: object, graders: Sequence[Grader], *, partial: bool = False) -> Score:
     """Grade a box with labelled answers to several parts, each with its own grader.
 
-    The answers may stand in any order, each behind its label. A label that occurs twice, one of no part, or anything
-    before the first label makes the whole box unreadable; a part without a label has no answer.
+    The answers may be in any order, each after its label. A repeated label, an unknown one, or text before the first
+    label makes the whole box unreadable; a part without a label has no answer.
 
     Args:
         response: the whole text, as all graders take it.

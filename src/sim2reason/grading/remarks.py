@@ -1,7 +1,7 @@
 r"""Remarks after a value and its unit: a direction, a comment, or the same value in another unit.
 
-The words are a closed list without denials or alternatives, so that whatever is made of them leaves the value as it
-is. A direction is kept: it never flips a sign that is written, but gives one to a bare magnitude.
+The vocabulary is a closed list without denials or alternatives, so that no remark changes the value. A direction never
+changes a written sign, but gives one to a bare magnitude.
 """
 
 import re
@@ -151,7 +151,7 @@ def printed(text: str) -> str:
 def read(text: str) -> Remark:
     """Parse a remark.
 
-    Raises `Refused`: wrong where it offers a second value, unreadable where it has a word that is not in the list.
+    Raises `Refused`: wrong for a second value, unreadable for a word outside the vocabulary.
     """
     directions: list[Direction] = []
     again: list[str] = []
@@ -217,7 +217,7 @@ def direction_of(text: str) -> Direction | None:
 def sign_for(directions: Sequence[Direction], positive: str, *, written: bool, below_zero: bool = False) -> int:
     """Return the sign that directions give to a bare magnitude if the question or *negative* requires one.
 
-    `written` says that the value has a sign, `below_zero` that the reference does.
+    `written` means that the value has a sign, `below_zero` that the reference is negative.
     """
     denied = any(direction.axis == "any" and direction.sign < 0 for direction in directions)
     if written or not directions or not (positive or below_zero or denied):

@@ -1,7 +1,7 @@
 """Statements of an answer, their sides, and the choice of the side that is the value.
 
-The last right-hand side counts. Sides before it are names, steps with symbols in them, or claims in numbers, which
-must agree with it. Whatever would leave open which of two values is meant is refused here.
+The last right-hand side counts. Sides before it are names, symbolic steps, or numeric claims, which must agree with it.
+Ambiguous answers are refused here.
 """
 
 from collections.abc import Sequence
@@ -31,9 +31,9 @@ Tokens = list[Token]
 class Statement:
     """The last statement of an answer: the side that counts, and earlier sides that are not plain names.
 
-    `doubt` is what the value's own side has that could offer another value, unless it is part of a remark. `rounded`
-    says that the value stands behind a sign for *approximately*, `named` that a side before it is a name. `others` are
-    the sides of steps that give a name to something else: where one is a value, it must be the same.
+    `doubt` is a token on the value's own side that may offer another value, unless it is part of a remark. `rounded`
+    means that the value follows a sign for *approximately*, `named` that an earlier side is a name. `others` are the
+    sides of steps that name something else: a value among them must equal this one.
     """
 
     value: Tokens
@@ -52,8 +52,8 @@ class Statement:
 def statement(tokens: Tokens) -> Statement:
     """Return the statement that an answer's tokens make.
 
-    Raises `Refused`: wrong where it hedges (a list, a range, ±, "or", an inequality), unreadable where nothing or too
-    much is left to be the value.
+    Raises `Refused`: wrong for hedges (a list, a range, ±, "or", an inequality), unreadable if nothing or too much
+    remains as the value.
     """
     tokens = unwrapped(tokens)
     kinds = {token.kind for token in tokens}
@@ -138,7 +138,7 @@ def _parts(tokens: Tokens) -> list[tuple[bool, Tokens]]:
 def _divides(tokens: Tokens, position: int, *, related: bool) -> bool | None:
     """Return whether a new statement begins after this token, as a conclusion or not; None if none begins.
 
-    `related` says that a relation follows.
+    `related` means that a relation follows.
     """
     token = tokens[position]
     if token.kind == "step" or (token.kind == "word" and token.text.lower() in _STEPS):
@@ -179,7 +179,7 @@ def _sides(tokens: Tokens) -> tuple[list[Tokens], list[Token]]:
 def _check_earlier(tokens: Tokens, name: Tokens, *, implied: bool) -> list[Tokens]:
     """Raise Refused for an earlier statement with another answer, but not for conditions or unsolved equations.
 
-    Of a step that gives a name to something, the sides but that name are returned: they tell whether it is a value.
+    For a step with another name, its other sides are returned, so that they can be checked for values.
     """
     if tokens[0].kind == "word" and tokens[0].text.lower() in _CONDITIONS:
         given = _sides(tokens[1:])[0][0]

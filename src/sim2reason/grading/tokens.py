@@ -1,7 +1,7 @@
 r"""Tokenizer of answers in LaTeX or plain text.
 
-One regular expression cuts the text; every alternative is linear. Letters become symbols here, because only
-the item's table can tell whether ``mgh`` is one name, three, or a word that nobody knows.
+One regular expression with linear alternatives splits the text. Letters become symbols here, because only the item's
+table of symbols decides whether ``mgh`` is one name, three, or an unknown word.
 """
 
 import re
@@ -258,7 +258,7 @@ class _Lexer:
 def tokenize(text: str, symbols: Collection[str] | None, *, primes: bool = False) -> list[Token]:
     """Return the tokens of `text`; letters become the canonical names in `symbols`, or any symbols if None.
 
-    A table says which names have primes; without one, `primes` allows them in all.
+    A table states which names have primes; without one, `primes` allows them for all names.
 
     Raises `Refused` (unreadable) at the first character or command that has no meaning in an answer.
     """

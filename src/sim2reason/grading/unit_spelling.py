@@ -1,7 +1,7 @@
 r"""Units as models write them, normalized to the spellings of the unit table.
 
-``newton-seconds``, ``kg.m/s``, ``Kg``, ``[m/s]``, ``m/s$^2$``, ``sec.``, ``rev/min``, ``M_{\odot}``; ``ms^{-1}`` is
-per millisecond or metres per second, as the asked dimension decides.
+Examples are ``newton-seconds``, ``kg.m/s``, ``Kg``, ``[m/s]``, ``m/s$^2$``, ``sec.``, ``rev/min`` and ``M_{\\odot}``;
+``ms^{-1}`` is per millisecond or metres per second, according to the requested dimension.
 """
 
 import math
@@ -56,7 +56,7 @@ _SPLIT: Final = re.compile(r"(?<![A-Za-z\\])(kg|k?N|k?J|g)?(m)?(s)(?![A-Za-z])|(
 def unit_in(text: str, asked: Unit | None) -> Unit:
     """Return the unit that `text` denotes; if ambiguous, the one comparable with `asked`.
 
-    Raises `UnitError` for what is none.
+    Raises `UnitError` if it is not a unit.
     """
     if _STRAY.search(text):
         raise UnitError("a number stands among units")

@@ -1,7 +1,7 @@
 """Usual meanings of single letters, to detect expressions of another dimension than the requested one.
 
-*xy* is no length, and *a/g* no acceleration. Only what textbooks agree on is here; a letter with several meanings has
-them all, and one that is not here may be any.
+For example, *xy* is not a length, and *a/g* not an acceleration. The table contains only meanings common to textbooks;
+a letter with several meanings has all of them, and other letters may mean anything.
 """
 
 from collections.abc import Sequence

@@ -42,7 +42,7 @@ def differences(
 ) -> Iterator[Difference]:
     """Yield the differing answers in another motion, where answers should be larger by `factor`.
 
-    Only what both motions describe is compared: the shorter one's end is no difference.
+    Only the common interval of both motions is compared.
     """
     stretch = factor(Dimension(time=1))
     end = min(specimen.end, min(other.trace.stable_until, float(other.trace.state.times[-1])) / stretch)
@@ -74,7 +74,7 @@ def _values(targets: list[Target], trace: Trace, times: list[float], stretch: fl
 def _events(trace: Trace, end: float, stretch: float) -> list[Event]:
     """Return the events strictly within the interval, without turning points, in the first motion's time.
 
-    At both ends rounding may decide, and for turns everywhere.
+    At both ends rounding errors may decide about an event, and for turning points everywhere.
     """
     events = [Event(event.time / stretch, event.kind, event.subjects) for event in trace.events]
     return [e for e in events if e.changes_motion and SOON * end < e.time < LATE * end]

@@ -127,8 +127,8 @@ class Integrals(NamedTuple):
 def integrals(trace: Trace, start: float, stop: float, integrand: Callable[[State], Array], least: float) -> Integrals:
     """Return the integrals of k functions, with values (k, n) from `integrand`, by Gauss-Legendre quadrature.
 
-    By Gauss and Legendre on pieces, of which those are halved, again and again, whose halves give something else.
-    What is much less than `least` is nothing.
+    Both results have the shape (k,); NaN where a value is unknown. Pieces are halved until their integrals converge.
+    Integrals much smaller than `least` count as zero.
     """
     pieces = np.array([[start, stop]])
     values, sizes = _pieces(trace, pieces, integrand)

@@ -32,8 +32,8 @@ def require(*names: str) -> None:
 def without_cudnn_attention() -> None:
     """Disable cuDNN attention in torch, whose gradients may be NaN on Hopper GPUs since torch 2.11.
 
-    They are where a mask is given and 64 tokens are left beyond a multiple of 128 (pytorch issue 196678). So ended one
-    of six runs of reinforcement learning on an H200, in its second step.
+    They occur with a mask and 64 tokens beyond a multiple of 128 (pytorch issue 196678). This ended one of six runs of
+    reinforcement learning on an H200, in its second step.
     """
     library("torch").backends.cuda.enable_cudnn_sdp(enabled=False)  # a flag, with or without a GPU
 

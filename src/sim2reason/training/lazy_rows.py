@@ -87,9 +87,9 @@ class LazySettings(Record):
 class LazyRows:
     """The rows described by a file of `LazySettings`, by number, in the format of an export.
 
-    Of any stretch of n rows, n · `share` are drawn, within one. The others are the `stored` ones, all of them in an
-    order that the seed draws, then all in another order, and so on. A row is a pure function of the file, the stored
-    rows and its number, whichever process asks for it.
+    Of any n consecutive rows, n · `share` are generated, within one. The others are the `stored` ones, all of them in
+    an order drawn by the seed, then all in another order, and so on. A row is a pure function of the file, the stored
+    rows and its number, in any process.
 
     Args:
         path: the file.

@@ -25,9 +25,9 @@ def muon_with_adamw(
 ) -> External:
     """Return an optimizer of all trainable parameters of a model.
 
-    Muon has the matrices of hidden layers, at `muon_learning_rate`. AdamW has embeddings, the last layer, and what is
-    no matrix, at `learning_rate`; vectors, such as those of normalisation, do not decay. A step of Muon has a norm of
-    its own, so that its rate hangs neither on the loss nor on a clip of the gradient.
+    Muon updates the matrices of hidden layers, at `muon_learning_rate`. AdamW updates embeddings, the last layer, and
+    all vectors, at `learning_rate`; vectors, such as those of normalisation, have no weight decay. A step of Muon has a
+    fixed norm, so that its rate depends neither on the loss nor on gradient clipping.
     """
     outer = {
         id(held)

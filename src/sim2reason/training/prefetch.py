@@ -22,7 +22,7 @@ Made = tuple[Problem | None, float]
 class Prefetcher:
     """A cache of problems generated ahead; missing ones are awaited or generated on request.
 
-    It changes when problems are made, never which: they are pure functions of their coordinates.
+    It affects only when problems are generated; they are pure functions of their coordinates.
     """
 
     def __init__(self, pool: ProcessPoolExecutor | None, depth: int) -> None:

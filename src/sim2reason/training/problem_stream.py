@@ -21,8 +21,8 @@ UNKNOWN = 0.5  # pass rate of an untried cell
 class Curriculum(BaseModel):
     """The weights of cells from their measured pass rates.
 
-    A cell of pass rate p has the weight `floor` + 4 p (1 − p): the variance of its rewards, on which the gradient of a
-    group-relative advantage rests, and a floor so that no cell is given up.
+    A cell of pass rate p has the weight `floor` + 4 p (1 − p): the variance of its rewards, which scales the gradient
+    of a group-relative advantage, and a floor so that no cell is abandoned.
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
@@ -64,8 +64,8 @@ class StreamState(BaseModel):
 class ProblemStream:
     """Prompts from several sources by weight, and from their cells by the curriculum.
 
-    The cell with the largest deficit comes next, so that shares hold in any stretch; nothing is drawn at random,
-    and what was prefetched makes no difference.
+    The cell with the largest deficit comes next, so that all proportions hold in any interval; nothing is random, and
+    prefetching does not affect the result.
     """
 
     sources: Sequence[ProblemSource]

@@ -34,8 +34,8 @@ def claim(
 ) -> None:
     """Write the plan into an empty folder, or continue with an equal one; the caller holds the lock.
 
-    `check` raises where the run could not begin; so it claims no folder. A plan from which nothing was trained is
-    replaced: `prepared` are the files and folders that come before training, and they go with it.
+    `check` raises an error if the run could not start, before the folder is claimed. A plan without any training is
+    replaced, together with `prepared`, the files and folders that come before training.
 
     Raises:
         TrainingError: the folder holds something else, or a run of another configuration.

@@ -81,9 +81,8 @@ def sample_solutions(  # noqa: PLR0913 - what the command takes
 ) -> Sampled:
     r"""Ask a policy to solve the problems of a dataset, and keep its right responses to learn from.
 
-    A response is kept if it earns the whole reward, ends of its own accord, and repeats no other. Responses of an
-    earlier call with the same folder are reused: with more tries, another `keep`, further splits, or after an
-    interruption.
+    A response is kept if it earns the full reward, is not truncated, and repeats no other. Responses of an earlier call
+    with the same folder are reused: with more tries, another `keep`, further splits, or after an interruption.
 
     Args:
         dataset: A dataset, or the folder that `generate` has finished.

@@ -17,8 +17,8 @@ _verl: Any = import_module("verl.utils.dataset.rl_dataset")
 class LazyDataset(_verl.RLHFDataset):
     """A verl dataset that generates problems for YAML files of `LazySettings`, and reads Parquet as verl does.
 
-    Parquet files beside a YAML file are mixed in by its `share`. Without one this is verl's `RLHFDataset`, as for
-    validation, since verl makes both datasets of one class.
+    Parquet files beside a YAML file are mixed in by its `share`. Without a YAML file this is verl's `RLHFDataset`, as
+    for validation, since verl uses one class for both datasets.
     """
 
     data_files: list[str]

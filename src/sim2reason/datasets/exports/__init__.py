@@ -24,9 +24,9 @@ class Place(NamedTuple):
 class Export(ABC):
     """A format in which a library for training or evaluation reads problems.
 
-    The folder that is written holds a file of rows for each split, and a copy of all in `files`: Python as it is,
-    other texts with ``{training}`` and ``{split}`` (the splits to train and to evaluate on), ``{splits}`` (a list of
-    all with their rows), ``{license}`` (that of the data), ``{repository}`` (what pip installs this library by) and
+    The output folder contains a file of rows for each split, and a copy of all files in `files`: Python unchanged,
+    other texts with ``{training}`` and ``{split}`` (the splits for training and evaluation), ``{splits}`` (a list of
+    all with their rows), ``{license}`` (of the data), ``{repository}`` (the pip requirement of this library) and
     ``{source}`` filled in.
 
     Class data:

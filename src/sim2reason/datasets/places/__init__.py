@@ -1,6 +1,6 @@
 """Executors that make items, on this machine or elsewhere; each is one module, found by its name.
 
-A place makes items and gives them back; it never sees the folder that they are written to, so nothing is shared.
+An executor makes items and returns them; it never accesses the output folder, so nothing is shared.
 """
 
 from collections.abc import Callable, Generator

@@ -1,7 +1,7 @@
 """Worker processes on this machine, each with its own pipe, so that one can be killed without the others.
 
-One pipe per worker and no lock between them: a worker that crashes, hangs or is killed takes only its own
-batch with it. (`concurrent.futures` loses the whole pool to one crash.) One worker alone is this process itself.
+There is one pipe per worker and no lock between them: a worker that crashes, hangs or is killed loses only its own
+batch. (`concurrent.futures` loses the whole pool in a crash.) A single worker is this process itself.
 """
 
 import os
@@ -106,7 +106,7 @@ def _workers(crew: Crew) -> int | None:
 def alone(source: Source, maker: str) -> Generator[tuple[Batch, Reply], None, None]:
     """Yield each batch from `source` with its result, computed in this process without protection from crashes.
 
-    DatasetError if the maker can't be imported.
+    DatasetError if the maker cannot be imported.
     """
     make = load_maker(maker)
     while (batch := source()) is not None:
@@ -121,8 +121,8 @@ def cores() -> int:
 def run(source: Source, maker: str, workers: int, patience: float) -> Generator[tuple[Batch, Reply], None, None]:
     """Yield the batches of `source` with their results, computed by `workers` processes.
 
-    A batch that takes longer than `patience` (s) is hung: its worker is killed. DatasetError if the maker can't be
-    imported or no process begins. However the generator ends, no worker stays.
+    The worker of a batch that takes longer than `patience` (s) is killed. DatasetError if the maker cannot be imported
+    or no process starts. No worker outlives the generator.
     """
     crew: list[_Worker] = []
     try:

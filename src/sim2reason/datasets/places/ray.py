@@ -1,7 +1,7 @@
 """Execution on a Ray cluster: batches are tasks, which Ray restarts when workers die.
 
-Workers send items back and see no file of ours. Each machine of the cluster needs the same packages as this one, since
-their versions decide the bytes.
+Workers return items and access no files of this machine. Each machine of the cluster needs the same package versions,
+since these determine the bytes.
 """
 
 import faulthandler
@@ -28,7 +28,7 @@ KNOCK: Final = 5.0  # s
 def on_ray(crew: Crew) -> Generator[Run, None, None]:
     """Connect to the cluster at HOST:PORT, else to this machine's cluster, else start a local one.
 
-    DatasetError if nobody answers there, MissingExtraError without Ray.
+    DatasetError if there is no cluster at the address, MissingExtraError without Ray.
     """
     os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")  # else Ray reports to its makers
     ray = optional("ray", "ray")

@@ -25,7 +25,7 @@ TEXT = "text-only", "text+illustration figure"
 class HiPhOFile(FileBenchmark):
     """A file of HiPhO, such as IPhO_2025.json; subjects are its fields, such as Mechanics.
 
-    An illustration is not needed to understand a problem, by HiPhO's own account; other figures are.
+    According to HiPhO, illustrations are not needed to understand a problem; other figures are.
     """
 
     numeric_only: bool = False
@@ -125,7 +125,7 @@ WORDS = {
 class OlympiadBenchFile(FileBenchmark):
     """A file of OlympiadBench; subjects are Mechanics, Electromagnetism, Modern Physics, Thermodynamics, Optics.
 
-    What the file says only people can judge is left out.
+    Problems that, according to the file, only people can judge are omitted.
     """
 
     @property

@@ -92,7 +92,7 @@ class Completion(BaseModel):
 class Policy(_Settings, ABC):
     """A model with its settings; each subclass is a kind that a configuration names.
 
-    `complete` is called from several threads at once, if `in_flight` is more than one.
+    If `in_flight` exceeds one, `complete` is called from several threads at once.
     """
 
     name: Name

@@ -1,7 +1,7 @@
 """Policies behind an OpenAI-compatible endpoint: vLLM, llama.cpp, or any provider.
 
-By the standard library alone: its requests write no log, and evaluation needs no further package. A request asks for
-one choice, since endpoints answer n = 3 with one; k samples are k requests with k seeds.
+It uses only the standard library: no request is logged, and evaluation needs no further package. A request asks for one
+choice, since some endpoints answer n = 3 with one; k samples are k requests with k seeds.
 """
 
 import json

@@ -177,7 +177,8 @@ class LocalModel(Policy):
     def _processors(self, seeds: Sequence[int]) -> list[Any]:
         """Return logits processors for temperature, nucleus sampling, and Gumbel noise from the seeds.
 
-        Gumbel, Statistical theory of extreme values (1954); so a greedy search samples, each row by its own seed.
+        The largest logit with Gumbel noise is a sample of the softmax (Gumbel, Statistical theory of extreme values,
+        1954), so greedy search samples each row with its own seed.
         """
         temperature = 1.0 if self.sampling.temperature is None else self.sampling.temperature
         if temperature == 0.0:

@@ -54,7 +54,7 @@ class Estimate(NamedTuple):
 def wilson(right: int, total: int) -> Estimate:
     """Return a fraction of independent trials, with the score interval of Wilson (1927).
 
-    ValueError for no trials, or for more right ones than there are.
+    ValueError for no trials, or for more successes than trials.
     """
     if total <= 0 or not 0 <= right <= total:
         raise ValueError("a share needs trials, and no more right ones than those")
@@ -83,7 +83,7 @@ def _resampled(values: Floats) -> Floats:
 def _interval(values: Floats, least: float) -> Estimate:
     """Return the mean of values from `least` to 1, with the ends of its interval.
 
-    Where all values are alike a bootstrap sees no spread; then the ends are as far as Wilson's are from none of n.
+    If all values are equal, the bootstrap interval is empty; then its width is that of Wilson's for zero of n.
     """
     mean = float(values.mean())
     if np.ptp(values) == 0.0:
@@ -96,7 +96,7 @@ def _interval(values: Floats, least: float) -> Estimate:
 def mean_of_items(points: Sequence[Sequence[float]]) -> Estimate:
     """Return mean@k: the mean over items of their mean points, each over its own samples.
 
-    Items are the trials. With one sample each, right or wrong, the interval is Wilson's; else it is a bootstrap over
+    Items are the trials. With one sample each, correct or not, the interval is Wilson's; else it is a bootstrap over
     items.
     """
     means = np.array([sum(held) / len(held) for held in points], dtype=np.float64)
@@ -108,8 +108,8 @@ def mean_of_items(points: Sequence[Sequence[float]]) -> Estimate:
 def pass_at(points: Sequence[Sequence[float]], k: int) -> float | None:
     """Return pass@k: the unbiased probability that one of k samples is fully correct; None for too few samples.
 
-    1 - C(n - c, k)/C(n, k) for c right ones of n: Chen et al., *Evaluating Large Language Models Trained on Code*
-    (2021).
+    The formula is 1 - C(n - c, k)/C(n, k) for c correct ones of n: Chen et al., *Evaluating Large Language Models
+    Trained on Code* (2021).
     """
     if any(len(held) < k for held in points):
         return None
@@ -135,8 +135,8 @@ def _ranks(values: Floats) -> Floats:
 def rank_correlation(x: Sequence[float], y: Sequence[float]) -> Estimate | None:
     """Return Spearman's ρ with the interval of Bonett and Wright (2000) from Fisher's z.
 
-    None for fewer than three pairs, or where one side has no two values; with three, the interval is all of [-1, 1].
-    At ρ = ±1, where z is infinite, the inner end is that of the next ρ, with two neighbours exchanged.
+    None for fewer than three pairs, or if one side has equal values only; with three, the interval is [-1, 1]. At ρ =
+    ±1, where z is infinite, the inner end is that of the next smaller |ρ|, with two neighbours exchanged.
     """
     count = len(x)
     if count != len(y) or count < 3 or len(set(x)) < 2 or len(set(y)) < 2:

@@ -51,7 +51,7 @@ def all_scores(run: Path | str) -> list[PolicyScores]:
 def scores_of(place: str) -> PolicyScores:
     """Return the scores of one policy, given as RUN if that has only one, or RUN:POLICY.
 
-    EvaluationError if there is no such run or policy, or if it has several and none is named.
+    EvaluationError if there is no such run or policy, or if there are several and none is named.
     """
     run, name = place, ""
     if not Path(place).exists() and ":" in place:

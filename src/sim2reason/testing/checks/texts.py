@@ -128,7 +128,7 @@ def _understood(text: str) -> object:
 def spare(description: Description) -> set[str]:
     """Return the sentences that matter only for some questions, so that they may be omitted.
 
-    Not so those on how it begins: without any question, a text tells that.
+    Sentences on the initial state are excluded: a text without a question needs them.
     """
     topics = [topic for topic in get_args(Topic) if topic != "start"]
     return set(description.sentences).difference(description.leaving_out(topics).sentences)

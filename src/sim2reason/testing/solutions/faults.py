@@ -33,7 +33,7 @@ def words(text: str) -> int:
 def faults(solution: Solution, answer: float, within: float = WELL) -> list[str]:
     """Return all faults of a solution, in words; `answer` is the engine's, in the unit of the question.
 
-    `within` is how well the engine knows it, relative, see `SEEN`, or what is given of it, where it is unknown.
+    `within` is the engine's relative accuracy, see `SEEN`, or that of the given result if a number is unknown.
     """
     if solution.answer is None:
         return [f"no answer: {solution.reason}"]
@@ -68,7 +68,7 @@ def _size(held: Expression, at: Mapping[str, float]) -> float:
 def undetermined(solution: Solution) -> list[str]:
     """Return faults where the stated laws do not determine the answer, or one is redundant.
 
-    No phase may be integrated.
+    Solutions with an integrated phase are not allowed.
     """
     relations = [r for r in solution.relations if r.role not in (*KNOWN, *CHECKS)]
     known = {name for r in solution.relations if r.role in KNOWN for name in r.left.symbols()}
@@ -104,12 +104,12 @@ def undetermined(solution: Solution) -> list[str]:
 def _since_when(solution: Solution) -> list[str]:
     """Return further names that laws must determine, although the answer does not depend on them to first order.
 
-    They are those by which something is verified, the times since when it is so, or since when something flies freely,
-    and those whose formula a limit or an extreme value is taken of.
+    They are the names of verifications, of times from which a condition or free flight holds, and of formulas of which
+    a limit or an extreme value is taken.
 
-    What tells them is not idle, even if the answer is the same whenever they are: as two boards that stick to each
-    other move by their common momentum, whatever the friction was between them, but only from when they stick; and
-    as free fall changes a velocity by as much before an impact as after it.
+    Laws for them are not redundant even if the answer is independent of their values: two boards that stick to each
+    other move with their common momentum, whatever the friction was, but only after they stick; and free fall changes a
+    velocity equally before and after an impact.
     """
     verified = [relation for relation in solution.relations if relation.role in CHECKS]
     checked = {r.left.latex() for r in verified if r.role == "verified"}
@@ -147,8 +147,8 @@ def _elsewhere(solution: Solution) -> dict[str, float]:
 def _spared(laws: Sequence[Relation], values: dict[str, float], place: dict[str, int], goal: Array) -> bool:
     """Return whether the laws without one still determine the goal elsewhere on their solution set.
 
-    Where that one says when something is greatest, the goal does not change at first as it is given up: so follow what
-    the laws leave free for a short way, back onto them by Newton's method, and look again there.
+    If that law states when something is greatest, the goal is stationary without it: so the solution set is followed
+    for a short distance, with Newton's method back onto it, and the test is repeated there.
     """
     matrix = np.array([_row(law, values, place) for law in laws])
     if not len(matrix):

@@ -1,7 +1,7 @@
 """Verification of sums of labelled equations, as in *(1) + 2·(4)*, from the text alone.
 
-Where all equations hold, any sum of them does. So unknowns are moved away from their values, in all ways in which the
-equations that are in no sum go on holding: strings that do not stretch, light pulleys, normal forces.
+If all equations hold, so does any sum of them. Therefore unknowns are displaced in all directions that preserve the
+equations in no sum: inextensible strings, light pulleys, normal forces.
 """
 
 import re

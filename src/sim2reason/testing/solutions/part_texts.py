@@ -13,8 +13,8 @@ LABELLED = re.compile(r"(?<![^\s])(\(\d+\))(?: [A-Z][^$()]*)? \$([^$]+)\$")
 def part_faults(text: str) -> list[str]:
     """Return the faults in the text of all parts, in words.
 
-    A name that a part recalls must stand in the part that it names, with the same number; an equality of the whole text
-    must hold when each name has the number that it has first; a label must stand for one equation.
+    A name that a part recalls must occur in the quoted part, with the same number; every equality of the whole text
+    must hold with the first number of each name; a label must denote one equation.
     """
     body = text.partition("\n\nAnswers: ")[0]
     pieces = PART.split(body)[1:]

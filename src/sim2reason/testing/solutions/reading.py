@@ -73,7 +73,7 @@ class Equality:
 class ReadText:
     """The parsed text: equalities, formulas that do not parse, and values of symbols.
 
-    `values` are the numbers that it says, and those that follow for what cancels, such as tensions.
+    `values` are the stated numbers, and those that follow for quantities that cancel, such as tensions.
     """
 
     equalities: tuple[Equality, ...]
@@ -91,7 +91,7 @@ class ReadText:
 def read(text: str, known: Mapping[str, float] | None = None) -> ReadText:
     """Return all equalities of a text; a symbol has the first number it is equated with.
 
-    Where a problem is in symbols, `known` has their values.
+    For a symbolic problem, `known` contains the values of its symbols.
     """
     text = PROBLEM.sub("", text)
     equalities: list[Equality] = []
@@ -129,7 +129,7 @@ def read(text: str, known: Mapping[str, float] | None = None) -> ReadText:
 def _ending(match: re.Match[str], table: frozenset[str]) -> Iterator[Equality]:
     """Yield the equality in the line with the box: a symbol equals a three-digit number, or a formula.
 
-    In other units than the rest, the number is there in both.
+    In other units than the rest, the number is stated in both.
     """
     boxed = match["boxed"] + (match["unit"] if match["unit"] == DEGREES else "")
     sides = [_side(part, table) for part in (match["goal"], match["number"], boxed) if part is not None]
@@ -155,7 +155,7 @@ def _excess(formula: str, table: frozenset[str]) -> Callable[[Mapping[str, float
 def _follow(equalities: list[Equality], values: dict[str, float]) -> None:
     """Determine symbols without numbers from equalities in which they are the only unknown, linearly.
 
-    Of several such equalities that one tells which magnifies the rounding of its terms and numbers least.
+    Among several such equalities, the one with the smallest magnification of rounding errors is used.
     """
     for _ in equalities:
         found = [each for equality in equalities if (each := _solved(equality, values)) is not None]

@@ -31,11 +31,11 @@ def make_trainer(
 ) -> "GSPOTrainer":
     """Return a trainer of a checkpoint (object, folder or name) or of a causal language model.
 
-    It writes into the folder `out`. Rewards are functions as TRL calls them, ``reward(prompts, completions,
-    **columns)``, which give a number or None for each completion; what is learned from is their sum, with `weights` if
-    there are any. ``trainer.train()`` trains, and ``trainer.train(resume_from_checkpoint=True)`` goes on after a kill:
-    `model` is then the same as at the beginning, since the KL divergence is to it. All processes of ``accelerate
-    launch`` or ``torchrun`` call this alike, and only the first one reads the stream.
+    It writes into the folder `out`. Rewards are functions in TRL's form, ``reward(prompts, completions, **columns)``,
+    which return a number or None for each completion; the training signal is their sum, with optional `weights`.
+    ``trainer.train()`` trains, and ``trainer.train(resume_from_checkpoint=True)`` resumes after a kill; `model` must
+    then be the original one, the reference of the KL divergence. All processes of ``accelerate launch`` or ``torchrun``
+    make the same call, and only the first one reads the stream.
 
     Raises:
         MissingExtraError: the libraries of the extra [train] are not installed.

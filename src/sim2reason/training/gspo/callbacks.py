@@ -65,7 +65,7 @@ def last_checkpoint(out: Path) -> Path | None:
 def clear_behind(out: Path, cursor: Cursor | None) -> None:
     """Remove checkpoints later than the cursor, and incomplete ones.
 
-    Folders that a kill left half written are removed, since transformers keeps those of the highest numbers.
+    Incomplete folders must go, since transformers keeps the checkpoints of the highest numbers.
 
     Raises:
         TrainingError: there are whole checkpoints of a run that got further.

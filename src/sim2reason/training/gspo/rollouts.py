@@ -20,7 +20,7 @@ Tensor: TypeAlias = Any
 def score(trainer: Any, batch: dict[str, Tensor]) -> None:  # noqa: ANN401 - ours, which imports this module
     """Add the log-probabilities of completions under the generating policy and the reference.
 
-    TRL computes them for all that is answered; here it is known which groups stay.
+    TRL computes them for all completions; here the selection of groups is already known.
     """
     torch, model = library("torch"), trainer.model
     ids, mask = (torch.cat([batch[f"prompt_{each}"], batch[f"completion_{each}"]], dim=1) for each in ("ids", "mask"))
@@ -53,7 +53,7 @@ class Rollouts:
     def _models(self) -> tuple[Any, Any]:
         """Return the trained model, and the generating one: a bfloat16 copy if that is the computing type.
 
-        Autocasting instead would write keys and values of two types, and cast all weights anew for each token.
+        Autocasting instead would produce keys and values of two types, and cast all weights for each token.
         """
         trained = self._trainer.accelerator.unwrap_model(self._trainer.model)
         if not self._trainer.args.bf16:

@@ -79,10 +79,10 @@ def fill(sampler: Sampler, place: Place, wanted: int, rounds: int, first: int = 
 
     The first round answers `first` prompts, at least as many as groups are wanted.
 
-    Good groups beyond those wanted are dropped, the last prompts first, so that which are learned from doesn't depend
-    on how long they took. To keep them for the next step would be wrong: they come from the policy before this step's
-    updates, and would be learned up to twice as many updates late as other completions, at ratios that are clipped.
-    Rounds after the first are therefore no larger than the shares of good groups so far make it likely to need.
+    Surplus useful groups are dropped, the last prompts first, so that the selection does not depend on their durations.
+    They are not kept for the next step: they come from the policy before this step's updates, and would be trained on
+    up to twice as many updates late as other completions, with clipped ratios. Later rounds are therefore no larger
+    than the fraction of useful groups so far suggests.
     """
     filled = Filled()
     while len(filled.owners) < wanted and len(filled.sizes) < rounds and not filled.exhausted:
@@ -106,7 +106,7 @@ def round_size(wanted: int, filled: Filled, world: int, first: int = 0) -> int:
 def _add_round(filled: Filled, sampler: Sampler, place: Place, rows: list[Row], wanted: int) -> None:
     """Answer prompts, and keep useful groups while there is room.
 
-    Where a stream ends, some are answered twice so that no process waits for another; only the first time counts.
+    At the end of a stream some prompts are answered twice so that no process waits; only the first time counts.
     """
     each = ceil(len(rows) / place.world)
     even = [rows[number % len(rows)] for number in range(each * place.world)]
@@ -251,7 +251,8 @@ def _mean(values: Sequence[float]) -> float:
 def collapse(metrics: MutableMapping[str, list[float]], before: Mapping[str, int], sizes: Sequence[int]) -> None:
     """Merge the entries of TRL's metrics from the rounds of a step, weighted by prompts.
 
-    `sizes` are the prompts of each round; `before` says how many entries a metric had.
+    `sizes` are the prompts of each round; `before` is the number of earlier entries of each metric. TRL would weight
+    rounds equally.
     """
     for name, held in metrics.items():
         start = before.get(name, 0)

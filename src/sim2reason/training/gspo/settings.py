@@ -40,7 +40,7 @@ class VllmSettings(_Settings):
 class GSPOSettings(_Settings):
     """The settings of one run; a *step* is one batch of prompts, trained in `minibatches` updates.
 
-    That is how verl and the paper count; TRL and transformers count updates, and so do the names of checkpoints.
+    verl and the paper count steps in this way; TRL, transformers and the names of checkpoints count updates.
     """
 
     steps: Count = 200
@@ -112,7 +112,7 @@ class GSPOSettings(_Settings):
     def shares(self, processes: int) -> tuple[int, int]:
         """Return the completions per forward pass of each process, and the number of passes per update.
 
-        TrainingError if they cannot be shared evenly.
+        TrainingError if completions cannot be divided evenly.
         """
         all_of_them, on = self.prompts * self.generations, f" on {processes} processes" if processes > 1 else ""
         if self.prompts % processes:
@@ -140,8 +140,8 @@ Row = dict[str, Any]
 class PromptStream(Protocol):
     """A finite or endless stream of prompts in a reproducible order.
 
-    A row is a dictionary with *prompt*, a text or a list of messages, and whatever rewards read: *ground_truth*, *id*,
-    *source*. All other columns reach the reward functions, with None where a row lacks them.
+    A row is a dictionary with *prompt*, a text or a list of messages, and the columns for rewards: *ground_truth*,
+    *id*, *source*. All other columns are passed to the reward functions, with None where a row lacks them.
     """
 
     @property

@@ -20,7 +20,7 @@ class _Record(BaseModel):
 class StepSeconds(_Record):
     """The wall time of one step in the first process; `problems` is CPU time of other processes.
 
-    What is left of `step` is the sorting of groups and messages.
+    The remainder of `step` is spent on the selection of groups and communication.
     """
 
     step: FiniteFloat

@@ -1,6 +1,6 @@
 """TRL's GRPO trainer with a prompt stream, dynamic sampling, cursors in checkpoints and a step log.
 
-It overrides private methods of TRL 1.16, and refuses another minor version.
+It overrides private methods of TRL 1.16, and refuses other minor versions.
 """
 
 # torch, trl and transformers are an extra and ship no types to an environment without them:
@@ -93,7 +93,8 @@ class GSPOTrainer(trl.GRPOTrainer):
     def draw(self, count: int) -> Drawn:
         """Return the next prompts, which the first process reads for all.
 
-        All processes get all rows and take their slices; so prompts are used in the stream's order by any number.
+        All processes receive all rows and take their slices, so that prompts are used in the stream's order with any
+        number of processes.
         """
         with self._meter.time("drawing"):
             drawn: Any = None
@@ -138,8 +139,8 @@ class GSPOTrainer(trl.GRPOTrainer):
     def _batch(self, filled: Filled) -> dict[str, Tensor]:
         """Return the batch of these groups, equally many on each process, with placeholders if necessary.
 
-        Fillers have no completion to learn from. The loss is a mean over completions, so it is scaled to be one over
-        those that are learned; the fillers' share is the same for all minibatches, as if all were drawn together.
+        Placeholders have no completion to train on. The loss is a mean over completions, so it is scaled to a mean over
+        the real ones; all minibatches have the same fraction of placeholders.
         """
         token = self._tokenizer.pad_token_id
         wanted, found = self.settings.prompts, len(filled.owners)
@@ -216,7 +217,7 @@ class GSPOTrainer(trl.GRPOTrainer):
     def _defers(self) -> bool:
         """Return whether log-probabilities can be computed after groups are selected, instead of for all.
 
-        TRL needs them at once where it corrects for vLLM's rounding.
+        TRL needs them immediately to correct for vLLM's rounding.
         """
         return not (self.use_vllm and self.vllm_importance_sampling_correction)
 

@@ -28,8 +28,8 @@ class ModelSettings(BaseModel, ABC):
     def checkpoint(self, texts: Iterable[str], out: Path) -> Checkpoint:
         """Return the checkpoint of the untrained model and its tokenizer.
 
-        `texts` are what it will read and write; they are looked at only by a kind that makes its tokenizer from them.
-        What is made here is saved in the folder `out`, where it is found again by the same call.
+        `texts` are those that the model will read and write, used only to train a tokenizer. New models are saved in
+        the folder `out`, where the same call finds them again.
 
         Raises:
             TrainingError: `out` holds another model.

@@ -1,7 +1,7 @@
 """A tiny transformer with random weights and its own tokenizer, made from the texts of a run.
 
 It has the architecture of Qwen3: rotary position embeddings, RMS normalisation of queries and keys, a gated
-feed-forward network (Yang et al., Qwen3 technical report, 2025). So whatever loads checkpoints loads it by its folder.
+feed-forward network (Yang et al., Qwen3 technical report, 2025). Hence any loader of checkpoints can load its folder.
 """
 
 from collections.abc import Iterable, Iterator

@@ -124,7 +124,7 @@ def _share(points: Sequence[float]) -> str:
 def best_constant(items: Sequence[BenchmarkItem]) -> Estimate:
     """Return the accuracy of the constant answer that is best under the problems' own scoring.
 
-    Each answer, and both ends of its tolerance, may be it; those are scored that lie within most tolerances.
+    Candidates are the answers and both ends of their tolerances; those within the most tolerances are scored.
     """
     best = 0
     for number in _promising(items):
@@ -192,7 +192,7 @@ def report_training(
 ) -> TrainingReport:
     """Evaluate a finished run on its held-out problems, before and after, and write the report.
 
-    Where none are held out it has what the steps measured alone.
+    Without held-out problems the report contains only the metrics of the steps.
 
     Raises:
         TrainingError: the run is not finished.

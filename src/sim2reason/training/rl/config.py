@@ -162,7 +162,7 @@ def reinforcement_learning_from(
 ) -> ReinforcementLearning:
     """Return the configuration in a YAML file or settings; `out` overrides the output folder.
 
-    Paths in it are seen from where the program runs.
+    Relative paths refer to the current working directory.
 
     Raises:
         TrainingError: what is missing, unknown or makes no sense; the line names its place.

@@ -39,9 +39,10 @@ def train_rl(
 ) -> Trained:
     """Train by a YAML file or settings; `out` overrides the output folder.
 
-    A run that was broken off goes on from its last checkpoint with the next prompt; one that is finished gives its
-    result. Several processes are started here if the configuration says so; each that accelerate or torchrun starts
-    calls this. `begun` is told what comes next and how many steps it has, `advance` how many more are done.
+    An interrupted run continues from its last checkpoint with the next prompt; a finished one returns its result.
+    Several processes are started here if configured; each process started by accelerate or torchrun calls this
+    function. `begun` receives the name and the number of steps of each phase, `advance` the numbers of newly finished
+    steps.
 
     Raises:
         TrainingError: a configuration, corpus or folder that cannot be used.
@@ -65,8 +66,8 @@ def prepare_rl(
 ) -> Path:
     """Run the steps before reinforcement learning, with the arguments of `train_rl`.
 
-    *data* are the problems that are held out, and the rows and the model of a warm start: work that needs no GPU, to be
-    done before one is rented. *warm-start* is the same and the warm start itself.
+    *data* covers the held-out problems, and the rows and model of a warm start: work without a GPU. *warm-start*
+    includes the warm start itself. `train_rl` continues in the returned folder.
 
     Raises:
         TrainingError, MissingExtraError, DatasetError: as `train_rl` does.

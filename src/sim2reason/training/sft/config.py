@@ -153,7 +153,7 @@ class FineTuning(BaseModel):
 def fine_tuning_from(config: "Path | str | Mapping[str, object] | FineTuning", out: Path | None = None) -> FineTuning:
     """Return the configuration in a YAML file or settings; `out` overrides the output folder.
 
-    Paths in it are seen from where the program runs.
+    Relative paths refer to the current working directory.
 
     Raises:
         TrainingError: what is missing, unknown or makes no sense; the line names its place.

@@ -33,10 +33,10 @@ def train_sft(
 ) -> FineTuned:
     """Fine-tune by a YAML file or settings; `out` overrides the output folder.
 
-    A run that was broken off goes on from its last checkpoint, and ends in the same weights on the same machine; one
-    that is finished gives its result. On several devices, each process that accelerate or torchrun starts calls this.
-    Rows whose prompt or fingerprint is one to `avoid` are left out. `begun` is told what comes next and how many steps
-    it has, and `advance` how many more are done.
+    An interrupted run continues from its last checkpoint, with the same final weights on the same machine; a finished
+    one returns its result. On several devices, each process started by accelerate or torchrun calls this function. Rows
+    whose prompt or fingerprint is in `avoid` are omitted. `begun` receives the name and the number of steps of each
+    phase, `advance` the numbers of newly finished steps.
 
     Raises:
         TrainingError: a configuration, corpus or folder that cannot be used.
@@ -69,8 +69,8 @@ def prepare_sft(
 ) -> None:
     """Run the steps before training, which need no accelerator: rows, and a model from scratch.
 
-    Where a machine with GPUs is rented, this is done elsewhere before; `train_sft` goes on in the same folder. It
-    raises what that does.
+    This saves time on a rented GPU machine; `train_sft` continues in the same folder. The errors are those of
+    `train_sft`.
     """
     settings = fine_tuning_from(config, out)
     require(*NEEDED, *settings.libraries)

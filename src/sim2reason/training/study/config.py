@@ -138,7 +138,7 @@ def _drawn_anew(given: object, seed: int) -> object:
 def study_from(config: "Path | str | Mapping[str, object] | TrainingStudy", out: Path | None = None) -> TrainingStudy:
     """Return the study in a YAML file or settings; `out` overrides the output folder.
 
-    Paths in it are seen from where the program runs.
+    Relative paths refer to the current working directory.
 
     Raises:
         TrainingError: what is missing, unknown or makes no sense; the line names its place.

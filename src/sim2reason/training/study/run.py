@@ -35,9 +35,8 @@ def train_study(
 ) -> dict[str, Trained]:
     """Run all runs of a study; return the results by name.
 
-    `out` stands for the folder that they name. Runs that are finished stay as they are, and those that were broken off
-    go on. A warm start that several runs have is made once. `begun` is told how many runs there are, `advance` how many
-    more are done.
+    `out` overrides the output folder. Finished runs are kept, and interrupted ones continue. A warm start common to
+    several runs is trained once. `begun` receives the number of runs, `advance` the numbers of newly finished ones.
 
     Raises:
         TrainingError: a configuration or folder that cannot be used, or runs that failed: the others are made before.
@@ -67,8 +66,8 @@ def prepare_study(
 ) -> Path:
     """Run the steps before reinforcement learning once for each warm start of a study.
 
-    `begun` is told how many runs have one of their own, `advance` how many more are prepared. `train_study`, with the
-    same arguments, goes on in the folder given.
+    `begun` receives the number of different warm starts, `advance` the numbers of newly prepared ones. `train_study`,
+    with the same arguments, continues in the returned folder.
 
     Raises:
         TrainingError, MissingExtraError, DatasetError: as `train_study` does.
@@ -123,7 +122,7 @@ def _warm_starts(
 ) -> dict[str, str]:
     """Prepare the first run of each warm start, and share its files with the other runs.
 
-    Of the runs that cannot begin, what the preparation of theirs said last.
+    Returns the last output of failed preparations, by run.
     """
     firsts = _firsts(study)
     open_ones = [first for first, arms in firsts.items() if not all(_finished(study, arm) for arm in arms)]

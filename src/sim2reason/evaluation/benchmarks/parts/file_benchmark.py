@@ -95,5 +95,5 @@ class FileBenchmark(Benchmark):
     def problem(self, row: Row, number: int) -> BenchmarkItem | None:
         """Return the problem of the `number`-th row; None to omit it.
 
-        KeyError, TypeError and ValueError say that the row is not as it must be.
+        KeyError, TypeError or ValueError if the row is invalid.
         """

@@ -20,7 +20,7 @@ ASKED = r"Reason step by step, and end with the answer in \boxed{}."
 class QuestionFile(FileBenchmark):
     """A file with a question and its answer in each row; missing columns count as empty.
 
-    A column may be a path into what is nested, as in ``prompt.0.content``.
+    A column may be a dotted path into nested values, as in ``prompt.0.content``.
     """
 
     question_column: str = "question"

@@ -37,8 +37,8 @@ class _File(BaseModel):
 class Evaluation:
     """An evaluation: policies, benchmarks, and numbers of samples for each problem.
 
-    `out` is the folder of the run; the samples of each problem have seeds that follow from `seed`; `judge` rules
-    where a benchmark's scoring asks a judge.
+    `out` is the folder of the run; the seeds of samples derive from `seed`; `judge` rules where a benchmark's scoring
+    needs a judge.
     """
 
     out: Path
@@ -68,7 +68,7 @@ class Evaluation:
 def evaluation_from(config: "Path | str | Mapping[str, object] | Evaluation", out: Path | None = None) -> Evaluation:
     """Return the evaluation in a YAML file or in settings; `out` overrides the output folder.
 
-    Paths in it are seen from where the program runs.
+    Relative paths refer to the current working directory.
 
     Raises:
         EvaluationError: what is missing, unknown or makes no sense; the line names its place.

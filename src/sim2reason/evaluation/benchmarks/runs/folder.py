@@ -63,7 +63,7 @@ class RunRecord(_Record):
     def difference(self, other: "RunRecord") -> str:
         """Return the first difference for which a run cannot continue with `other`; empty if it can.
 
-        It can with more samples, further policies and further benchmarks.
+        More samples, policies and benchmarks are allowed.
         """
         if self.seed != other.seed:
             return f"seed {self.seed} ≠ {other.seed}"
@@ -118,7 +118,7 @@ class RunFolder:
     def begun(cls, evaluation: Evaluation) -> "RunFolder":
         """Return the folder of an evaluation, new or continued; the caller holds its lock.
 
-        A run to whose problems no answer has come is replaced by another.
+        A run without any answer is replaced.
 
         Raises:
             EvaluationError: the folder holds something else, or a run with which this one can't go on.
@@ -229,7 +229,7 @@ PARTIAL = ".part"
 def copy_answers(run: Path, out: Path, model: str, copied: str) -> None:
     """Start a run in `out` with the answers of `model` in `run`, assigned to its copy at `copied`.
 
-    Nothing is begun if there are none. EvaluationError if there is no run.
+    Without such answers no run is started. EvaluationError if `run` contains none.
     """
     found = RunFolder(run)
     policies = {name: plan for name, plan in found.record.policies.items() if plan.decisive.get("model") == model}

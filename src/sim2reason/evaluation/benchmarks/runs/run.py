@@ -36,7 +36,7 @@ def run(
 ) -> tuple[RunFolder, list[str]]:
     """Run an evaluation; return its folder, and the reasons for samples without an answer.
 
-    `begun` is told how many samples there are, `advance` how many more are finished.
+    `begun` receives the number of samples, `advance` the numbers of newly finished ones.
 
     Raises:
         EvaluationError: a benchmark, or a folder, that can't be used.
@@ -64,7 +64,7 @@ def _answers(evaluation: Evaluation, folder: RunFolder, policy: Policy, advance:
 def _asked(policy: Policy, wanted: list[tuple[Path, list[SampleRequest]]], advance: Advance) -> list[str]:
     """Send requests, each list with its own journal, within one budget; return the reasons for missing answers.
 
-    PolicyError if none of them was answered: nobody is there, however few they were.
+    PolicyError if no request was answered, however few there were.
     """
     budget, found = Budget(policy), list[Asked]()
     for path, requests in wanted:

@@ -1,8 +1,8 @@
 """Batched decoding by a causal transformers model with a fixed-size cache and CUDA graphs.
 
-A small model on a GPU is bound by launches: a pass for one more token is a hundred kernels or more, of microseconds
-each. On a CUDA device such a pass is recorded once as a graph, and replayed for each token. It reads the weights where
-they lie, so it stays true when they are updated in place.
+A small model on a GPU is limited by kernel launches: the pass for one more token takes a hundred or more kernels of
+microseconds. On a CUDA device such a pass is recorded once as a graph, and replayed for each token. It reads the
+weights in place, so it remains valid when they are updated in place.
 """
 
 # transformers and torch are an extra, and ship no types to an environment without them:
@@ -47,7 +47,7 @@ class Decoder:
     ) -> Tensor:
         """Return at most `count` tokens after each prompt, (rows, tokens); values after an end are arbitrary.
 
-        `ids` and `mask` have the shape (rows, width), padded at the left; `choose` gives a token for each row of the
+        `ids` and `mask` have the shape (rows, width), padded on the left; `choose` returns a token for each row of the
         logits, of shape (rows, vocabulary).
         """
         torch = import_module("torch")

@@ -24,7 +24,7 @@ WORTH_IT: Final = 2.0  # factor between successive delays
 def delay(attempt: int, seed: int, asked: float | None = None) -> float:
     """Return the delay after the `attempt`-th failure, counted from zero, s.
 
-    It doubles up to a minute, less a part of up to a half that hangs on `seed` and `attempt` alone; at least as long
+    It doubles up to a minute, minus a fraction of up to one half determined by `seed` and `attempt`; at least as long
     as the server `asked`, up to five minutes.
     """
     most = min(FIRST * WORTH_IT ** min(attempt, 30), LONGEST)
@@ -126,7 +126,7 @@ class _AnyStatus(HTTPErrorProcessor):
 def post(url: str, body: bytes, headers: Mapping[str, str], timeout: float) -> Reply | NoReply:
     """Send `body` as JSON, with a timeout of `timeout` seconds between data and roughly in total.
 
-    The reason for no reply is the kind of the error alone: its text may hold what was sent.
+    The reason for a missing reply is only the kind of the error, whose text may contain what was sent.
     """
     deadline = time.monotonic() + timeout
     request = Request(url, body, {"Content-Type": "application/json", "User-Agent": "sim2reason", **headers})  # noqa: S310

@@ -22,7 +22,7 @@ SHOWN = 200  # characters of the library's error message
 def out_of_reach(name: str, kind: Literal["model", "dataset"], revision: str | None = None) -> bool:
     """Return whether the Hub is unreachable, so that only the local cache is available.
 
-    What it answers does not matter: whoever loads from it hears the same. ValueError if it can have no such name.
+    Any reply counts as reachable. ValueError if the name is invalid on the Hub.
     """
     hub: Any = import_module("huggingface_hub")
     errors: Any = import_module("huggingface_hub.errors")
@@ -66,7 +66,7 @@ def explained(path: str, error: Callable[[str], Exception]) -> Generator[None]:
 def quiet() -> Generator[None, None, None]:
     """Suppress the library's progress bars and warnings while the block runs; errors are still raised.
 
-    So is what peft 0.21 provokes in transformers 5.23, an old name for a property. MissingExtraError without it.
+    Also suppressed is a warning that peft 0.21 causes in transformers 5.23. MissingExtraError without the library.
     """
     logging = optional("transformers", "train").utils.logging
     verbosity, bars = logging.get_verbosity(), logging.is_progress_bar_enabled()

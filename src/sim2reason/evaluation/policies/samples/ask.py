@@ -37,7 +37,7 @@ def sample_seed(seed: int, name: str, sample: int) -> int:
 def requests_for(prompts: Iterable[tuple[str, str]], samples: int, seed: int) -> Iterator[SampleRequest]:
     """Yield `samples` requests for each id and prompt: first one of each, then the second of each.
 
-    So a run that is broken off has asked about as many problems as it could.
+    Hence an interrupted run has asked about as many problems as possible.
     """
     pairs = list(prompts)
     for sample in range(samples):
@@ -55,7 +55,8 @@ def ask(
 ) -> Asked:
     """Request all samples that the journal does not contain; `advance` receives the numbers finished.
 
-    `budget` is that of several journals, already charged for what they hold; by default one for this journal alone.
+    `budget` may be shared by several journals, and is already charged for their samples; by default it is for this
+    journal alone.
 
     Raises:
         PolicyError: the policy cannot be asked, or its limit is reached; all that was finished stays in the journal.
@@ -84,7 +85,7 @@ def _run(
 ) -> None:
     """Keep `width` batches in flight; stop at the first error that would affect others.
 
-    What is in flight then is waited for, since it is paid for; not so when a person interrupts.
+    Batches in flight are then awaited, since they are paid for, except when a person interrupts.
     """
     running: set[Future[int]] = set()
     row = 0

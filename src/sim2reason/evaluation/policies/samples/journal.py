@@ -1,6 +1,6 @@
 """Journal of finished samples: JSON lines, each synced to disk before the next step.
 
-A kill can tear the last line, and no other: it is cut off when the journal is opened, and that sample asked for again.
+A kill can truncate only the last line; it is removed when the journal is opened, and its sample is requested again.
 """
 
 import fcntl

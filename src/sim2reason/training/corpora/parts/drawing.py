@@ -25,7 +25,7 @@ def drawn_rows(
 ) -> Iterator[Row]:
     """Yield the rows of the first `items` problems that have rows, in order.
 
-    Where problems are so rare that they are given up, there are fewer.
+    There are fewer rows if problems are too rare. Problems without rows are counted under `reason`.
     """
     found, size = 0, min(TOGETHER, items)
     with ProcessPoolExecutor(workers, mp_context=ALONE, initializer=begin_worker) as pool:

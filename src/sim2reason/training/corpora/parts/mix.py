@@ -78,7 +78,7 @@ def encoded_table(
 ) -> tuple[pa.Table, Counter[str]]:
     """Return the rows within limits as a table for trainers, and counts of rows beyond each limit.
 
-    The columns are `input_ids`, `labels`, both of tokens, and `length`, how many a row has.
+    The columns are `input_ids` and `labels`, both of tokens, and `length`, their number.
     """
     left_out = Counter[str]()
     schema = pa.schema({"input_ids": TOKENS, "labels": TOKENS, "length": pa.int32()})
@@ -114,7 +114,7 @@ def encoded(rows: Sequence[Row], tokenizer: External, *, chat: bool) -> list[Enc
 def templated(row: Row, tokenizer: External) -> tuple[str, str]:
     """Return a row in the chat template: the text before the completion, and the completion with its end.
 
-    Where a template writes an earlier turn otherwise than the one to be answered, the completion stands as it is.
+    If a template changes earlier turns, the completion is used without the template.
     """
     asked = [{"role": "user", "content": row.prompt}]
     said = [*asked, {"role": "assistant", "content": row.completion}]
@@ -161,7 +161,7 @@ class Mix:
 def mixed(corpora: Sequence[Corpus], seed: int, avoid: frozenset[str] = frozenset()) -> Mix:
     """Return all rows of all corpora, weighted and shuffled, as a pure function of corpora and seed.
 
-    Rows whose prompt or fingerprint is one to `avoid`, which is kept for evaluation, are left out.
+    Held-out rows, whose prompt or fingerprint is in `avoid`, are omitted.
 
     Raises:
         TrainingError: a corpus without a row, or more rows than fit.

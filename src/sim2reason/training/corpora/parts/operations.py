@@ -60,7 +60,7 @@ def definitions(solution: Solution) -> Definitions:
 def arithmetic(solution: Solution, slip: Callable[[Definitions], Definitions] = lambda held: held) -> str:
     """Return the operations that lead to the answer, with it in a box; empty if a formula has no such form.
 
-    `slip` may put other formulas in place of the right ones: what follows from them is worked out all the same.
+    `slip` may replace formulas by wrong ones, whose consequences are computed consistently.
     """
     if not solution.derived or not solution.values.get(solution.goal):
         return ""

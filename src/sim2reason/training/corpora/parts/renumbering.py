@@ -94,7 +94,7 @@ _NUMBER = re.compile(r"(?<![\w.,])\d+(?:\.\d+)?(?![\w]*[.,]?\d)")
 def renumbered(prompt: str, solution: Solution, rng: np.random.Generator) -> tuple[str, Solution] | None:
     """Return a prompt and its solution with other numbers; None if none are found that keep all signs.
 
-    A number is changed where the prompt says it once, in the digits of the problem; others stay.
+    Only numbers that the prompt states once, in the digits of the problem, are changed.
     """
     for _ in range(TRIES):
         text, numbers = _changed(prompt, solution, rng)

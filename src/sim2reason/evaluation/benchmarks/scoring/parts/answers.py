@@ -52,10 +52,7 @@ def after_thinking(response: str) -> str:
 
 
 def boxes(response: str) -> list[str]:
-    """Return the contents of all outermost, visible, undenied boxes after the thinking, in order.
-
-    Those that print hides or words deny are left out.
-    """
+    """Return the contents of all outermost, visible, undenied boxes after the thinking, in order."""
     text = after_thinking(response)
     spans: list[tuple[int, int]] = []
     for begin, end in closed_boxes(text):
@@ -74,7 +71,7 @@ def in_box(answer: str) -> str:
 def parts(answer: str, *, thousands: bool = True) -> list[str]:
     """Return the parts between commas, semicolons or *and* outside brackets, without dollar signs.
 
-    With `thousands` a comma before three digits belongs to a number.
+    With `thousands`, a comma before three digits belongs to a number.
     """
     text = _AND.sub(",", _BLANK.sub(" ", answer))
     text = _THOUSANDS.sub("", text) if thousands else text
@@ -107,7 +104,7 @@ _SAID: Final = re.compile(
 def chosen(content: str) -> frozenset[str] | None:
     """Return the options in an answer such as ``A``, ``(A), (C)``, ``ABD`` or ``B) 6.4 J``; None if it is not one.
 
-    *None* and *none of these* name no option.
+    *None* and *none of these* give an empty set.
     """
     if _NONE.fullmatch(content):
         return frozenset()
@@ -130,7 +127,7 @@ def said_without_box(response: str) -> frozenset[str] | None:
 def read(content: str, unit: str | Unit | None = None, *, expected: float = 1.0) -> float | None:
     """Return the only number in an answer, in `unit` if given; None if there is none, or in another unit.
 
-    `expected` decides how a direction without a sign is read.
+    `expected`, a reference value, determines the sign of a direction without one.
     """
     found = number(in_box(content), expected, unit)
     return (
@@ -141,7 +138,7 @@ def read(content: str, unit: str | Unit | None = None, *, expected: float = 1.0)
 def agrees(right: str, said: str, tolerance: float) -> bool | None:
     """Return whether two answers give the same number, within a tolerance relative to the right answer.
 
-    None where the right answer is no number. Its unit holds for both; without a unit, the other's unit is ignored.
+    None if the correct answer is not a number. Its unit applies to both; without a unit, the other's is ignored.
     """
     stated = unit_stated(right)
     unit = stated if stated is not None and any(stated.dimension) else None
