@@ -55,7 +55,7 @@ SAMPLES = 400
 MOST = 8  # curves in a panel
 STILL, STRAIGHT = 1e-9, 1e-9
 FIXED = "a fixed point"
-SIZES = {"velocity": "speed", "displacement": "distance from the start"}  # of vectors that turn
+SIZES = {"velocity": "speed", "displacement": "distance from the start"}  # magnitudes of vectors
 
 
 @dataclass(frozen=True)

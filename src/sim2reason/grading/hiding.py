@@ -1,6 +1,6 @@
 r"""Boxes that do not count as answers: boxes invisible when typeset, and boxes that the text denies.
 
-A box is invisible inside a command such as ``\\phantom`` or ``\\cancel``, in white ink, in a comment of LaTeX or HTML,
+A box is invisible inside a command such as ``\phantom`` or ``\cancel``, in white ink, in a comment of LaTeX or HTML,
 or in a hidden element; it is denied by *not* before it or *is wrong* after it.
 """
 

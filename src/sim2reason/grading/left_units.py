@@ -1,4 +1,4 @@
-r"""Units to the left of a value, as in headings: ``\\text{Speed (km/h): }9.8``, ``v\\ [\\text{m/s}] = 9.8``."""
+r"""Units to the left of a value, as in headings: ``\text{Speed (km/h): }9.8``, ``v\ [\text{m/s}] = 9.8``."""
 
 from collections.abc import Iterable, Sequence
 from typing import Final

@@ -1,4 +1,4 @@
-r"""Answers of several parts in one box, each after its label: ``\\boxed{(a) 2.1; (b) 3.4}``."""
+r"""Answers of several parts in one box, each after its label: ``\boxed{(a) 2.1; (b) 3.4}``."""
 
 import re
 from collections.abc import Callable, Sequence

@@ -1,4 +1,4 @@
-r"""Expansion of siunitx commands and mhchem's ``\\pu``: ``\\qty{9.8}{\\meter\\per\\second\\squared}``."""
+r"""Expansion of siunitx commands and mhchem's ``\pu``: ``\qty{9.8}{\meter\per\second\squared}``."""
 
 import re
 from dataclasses import dataclass, field

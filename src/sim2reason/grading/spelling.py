@@ -1,7 +1,7 @@
 r"""Normalization of an answer's spelling: removal of invisible layout, and one form for equivalent commands.
 
-For the tokenizer, ``\\hspace{1mm}`` becomes a space, ``30º`` and ``30^{\\text{o}}`` become ``30°``, and
-``0.\\overline{6}`` is expanded. Most answers are returned unchanged. All patterns run in linear time.
+For the tokenizer, ``\hspace{1mm}`` becomes a space, ``30º`` and ``30^{\text{o}}`` become ``30°``, and
+``0.\overline{6}`` is expanded. Most answers are returned unchanged. All patterns run in linear time.
 """
 
 import re

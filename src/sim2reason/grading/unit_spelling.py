@@ -1,6 +1,6 @@
 r"""Units as models write them, normalized to the spellings of the unit table.
 
-Examples are ``newton-seconds``, ``kg.m/s``, ``Kg``, ``[m/s]``, ``m/s$^2$``, ``sec.``, ``rev/min`` and ``M_{\\odot}``;
+Examples are ``newton-seconds``, ``kg.m/s``, ``Kg``, ``[m/s]``, ``m/s$^2$``, ``sec.``, ``rev/min`` and ``M_{\odot}``;
 ``ms^{-1}`` is per millisecond or metres per second, according to the requested dimension.
 """
 

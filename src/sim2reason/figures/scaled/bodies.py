@@ -96,7 +96,7 @@ def shell(at: complex, radii: tuple[float, float], hole: tuple[float, float], wa
     """Return the polygon of a ring with a circular hole (distance, radius) cut out in a direction."""
 
     def opening(radius: float) -> float:
-        """Half the angle that the hole cuts out of a circle."""
+        """Return half the angle that the hole cuts out of a circle, radians."""
         off, reach = hole
         cosine = (radius**2 + off**2 - reach**2) / (2.0 * radius * off) if off else 1.0
         return acos(max(-1.0, min(1.0, cosine)))

@@ -79,7 +79,7 @@ def _below(setting: Setting, body: str, foot: complex, normal: complex) -> Itera
 
 
 def reach(setting: Setting, face: Face) -> float:
-    """Return how far below the place of a body its face is, in units: its radius if it rolls, else half its height."""
+    """Return the distance from a body's position to its face, in units: its radius, or half its height if it slides."""
     turning = [abs(factor) for name, factor in face.slip if name.endswith(".hinge")]
     return setting.view.scale * turning[0] if turning else setting.radius(face.subject)
 

@@ -16,7 +16,7 @@ from sim2reason.scenes.dsl.mechanism import RigidBody
 
 RAIL = 2.0  # units of rail on either side of a guided body
 WHEEL = 0.24  # radius of a small pulley
-GAP, FOOT, ROOM = 0.1, 0.6, 0.5  # units between a box and what slides at it, below that, and beside what lies on top
+GAP, FOOT, ROOM = 0.1, 0.6, 0.5  # units: beside a box, below bodies beside it, and beside bodies on it
 FLAT = 1e-6
 TILTED = 2.2  # units, length of the horizontal line at the foot of a rail
 

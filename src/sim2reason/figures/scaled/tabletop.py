@@ -59,7 +59,7 @@ def bounding_walls(setting: Setting, area: Box) -> list[Shape]:
 
 TICK, PITCH = 0.08, 1.3  # length of a tick, least distance of two
 MARGIN = 0.15  # units between a tick's number and the axis' end, and between a tick and an arrow
-BELOW, LINED = 0.55, 1e-6  # units from a body on a track down to the axis of x, and from a line to what is on it
+BELOW, LINED = 0.55, 1e-6  # units: x axis below bodies on a track; tolerance of a line
 CROSS = 1.0  # length of an axis without numbers
 
 

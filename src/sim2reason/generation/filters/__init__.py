@@ -210,7 +210,7 @@ FILTERS: Registry[Filter] = Registry("filters", package="sim2reason.generation.f
 
 
 def sift_scene(study: Study) -> Verdict:
-    """Return the first verdict that rejects a scene, or the last one that keeps it."""
+    """Return the verdict on a scene: the first rejection, if there is one."""
     for name, found in in_order():
         if isinstance(found, SceneFilter) and (reason := found.scene_reason(study)):
             return Verdict(keep=False, filter=name, reason=reason)
@@ -218,7 +218,7 @@ def sift_scene(study: Study) -> Verdict:
 
 
 def sift(candidate: Candidate, *, witnessed: bool) -> Verdict:
-    """Return the first rejection among the filters that need the second engine, or among the others."""
+    """Return the first rejection by the filters that need the second engine (`witnessed`), or by the others."""
     filters = [(name, found) for name, found in in_order() if found.needs_witness == witnessed]
     for name, found in sorted(filters, key=lambda each: not each[1].ready(candidate)):
         if reason := found.reason(candidate):

@@ -20,7 +20,7 @@ from sim2reason.testing.specimens import IT, Specimen, Specimens, changed, speci
 
 DRAWS, MANY = 60, 300  # seeds of draws, and their number where a value seems to be constant
 OFTEN = 12  # draws after which an unchanged value counts as constant
-FRESH, MOST = 1000, 150  # the first seed of scenes that are drawn besides where a number seems not to matter; how many
+FRESH, MOST = 1000, 150  # first seed and number of extra scenes for a number that seems irrelevant
 MORE = 12  # scenes with a number after which it counts as irrelevant
 SHIFTS = (1.01, 0.99)
 

@@ -63,9 +63,9 @@ def last_checkpoint(out: Path) -> Path | None:
 
 
 def clear_behind(out: Path, cursor: Cursor | None) -> None:
-    """Remove checkpoints later than the cursor, and incomplete ones.
+    """Remove incomplete checkpoints later than the cursor; complete ones are an error.
 
-    Incomplete folders must go, since transformers keeps the checkpoints of the highest numbers.
+    Transformers would keep them, since it keeps the checkpoints of the highest numbers.
 
     Raises:
         TrainingError: there are whole checkpoints of a run that got further.

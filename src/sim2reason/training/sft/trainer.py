@@ -50,7 +50,7 @@ def _sampler() -> External:
             self.lengths, self.batch, self.seed, self.epoch = lengths, batch, seed, 0
 
         def set_epoch(self, epoch: int) -> None:
-            """Called before each pass."""
+            """Set the epoch before each pass."""
             self.epoch = epoch
 
         def __len__(self) -> int:
@@ -209,7 +209,7 @@ def _callback() -> External:
     """Return the callback class, defined once transformers is imported."""
 
     class SftCallback(library("transformers").TrainerCallback):
-        """Writes our log, and marks checkpoints that are whole."""
+        """A callback that writes the log, and marks complete checkpoints."""
 
         def __init__(self, owner: External, folder: SftFolder, advance: Advance) -> None:
             self.owner, self.folder, self.advance, self.since = owner, folder, advance, time.perf_counter()

@@ -140,7 +140,7 @@ def counterexample(
 ) -> Variation | None:
     """Return a scene in which the formula fails, sought where it is negative or undefined; None if none is found.
 
-    All or some numbers are multiplied by factors with logarithms of at most `width`; half of the signed ones get random
+    All or some numbers are multiplied by factors with logarithms of at most `width`; half of the sets have random
     signs.
     """
     own = variations.own()

@@ -24,7 +24,7 @@ from sim2reason.solutions.algebra.expressions import Expression
 
 LATER = 3.0  # factor on the time of an event within which it is awaited in variations
 LATEST = 4.0  # times that, after which the event is considered absent
-LOOKED, EACH = 240, 2  # numbers for which the signs of a formula's sums are looked at; how often each is turned
+LOOKED, EACH = 240, 2  # numbers at which signs of sums are evaluated; uses of each sign change
 WIDELY = (160, 40), (24, 24)  # numbers tried and answers found, at most; second pair: if the motion is integrated
 TRIES = 4  # draws per wanted variation, at most
 BEYOND_TURN = 0.02  # fraction of the way beyond the numbers at which a sum changes its sign
