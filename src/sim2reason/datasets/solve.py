@@ -13,7 +13,7 @@ from sim2reason.generation.make import item_of
 from sim2reason.generation.question_search import QuestionSearch
 from sim2reason.generation.random_scenes import generator
 from sim2reason.generation.request import Request
-from sim2reason.questions import MODES, StatedResult, Words
+from sim2reason.questions import MODES, StatedResult, Target, Words
 from sim2reason.questions.following import Followed, eventful, follow, motion_of
 from sim2reason.questions.moments.times import WholeMotion
 from sim2reason.questions.ordinary.nearest import nearest_said
@@ -27,8 +27,10 @@ from sim2reason.questions.unknown import with_number
 from sim2reason.scenes.dsl.measures import join_unit
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.files import SceneLike, given_scene, question_of
+from sim2reason.simulation.quantities import QUANTITIES
 from sim2reason.solutions import Setting, Solution
 from sim2reason.solutions import solve as solved
+from sim2reason.solutions.goals import GOALS
 
 TRIES = 20
 
@@ -188,7 +190,7 @@ def _answered(problem: str, search: QuestionSearch, question: PosedQuestion, fou
     target, moment = question.query.target, question.query.moment
     over = moment.told(found.study.trace) if isinstance(moment, WholeMotion) else ""
     compared = question.compare != VALUE or question.varied is not None
-    if compared or (target is not None and target not in targets(search.words)):
+    if compared or (target is not None and target not in targets(search.words) and not _only_in_parts(target)):
         unsaid = Solution("", reason="no sentence of the library asks this")
         return SolvedProblem(problem, unsaid, found.answer, unit, unsaid.reason, over=over)
     symbols, study, unknown = search.description.symbols, found.study, question.unknown
@@ -201,3 +203,12 @@ def _answered(problem: str, search: QuestionSearch, question: PosedQuestion, fou
         setting = Setting(study.scene, words, symbols, study, question.query, unknown.path, stated)
     solution = solved(setting)
     return SolvedProblem(problem, solution, found.answer, unit, solution.reason, over=over)
+
+
+def _only_in_parts(target: Target) -> bool:
+    """Return whether a quantity with a worked solution has no words of its own, as a height above the ground has not.
+
+    The magnitude and the components of other quantities have words, unless these would not tell them apart.
+    """
+    asked = QUANTITIES[target.quantity]
+    return target.quantity in GOALS and not (asked.magnitude or asked.signed)

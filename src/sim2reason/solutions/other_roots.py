@@ -77,8 +77,20 @@ class OtherRoots:
         """
         right_angle = self.book.units[self.unknown] == DEGREES
         for value in others:
-            if 0.0 < value < (0.5 * pi if right_angle else inf):  # of a greater angle the text says that it is one
+            if value > 0.0 and self.book.passage and self.book.units[self.unknown] == SECONDS:
+                self.book.checks.setdefault((self, value), partial(self._tell_passage, value))
+            elif 0.0 < value < (0.5 * pi if right_angle else inf):  # of a greater angle the text says that it is one
                 self.book.checks.setdefault((self, value), partial(self._tell_excluded, value, lead, must=must))
+
+    def _tell_passage(self, value: float) -> None:
+        """Write that another time is later, or, where the second time is asked for, that it is the first one."""
+        name, ordinal = Symbol(self.unknown), ("first", "second")[self.book.passage - 1]
+        earlier = self.book.passage > 1 and value < self.book.values[self.unknown]
+        step = self.book.open("verify")
+        exceeds(self.book, step, *((name, Number(value)) if earlier else (Number(value), name)))
+        other = f"The other root, {self._number(name.name, value)},"
+        step.say(f"{other} is {'earlier' if earlier else 'later'}: ${name.name}$ is the {ordinal} time.")
+        step.close()
 
     def _tell_excluded(self, value: float, lead: str, *, must: bool) -> None:
         held = {name: formula for name, formula in self.book.formulas.items() if name not in self.book.stated}

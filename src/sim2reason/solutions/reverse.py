@@ -25,7 +25,9 @@ from sim2reason.solutions.algebra.stated_equations import as_power, doubled, hal
 from sim2reason.solutions.collisions.placing import SOLVED
 from sim2reason.solutions.opposite_values import tell_sign
 from sim2reason.solutions.other_roots import OtherRoots, Sides
+from sim2reason.solutions.reached_values import at_named_moment
 from sim2reason.solutions.setting import Setting, joined
+from sim2reason.solutions.stretch_ends import at_end
 from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 
 PAIR = 2  # terms of an equation whose root is seen at once
@@ -38,7 +40,8 @@ def forward(setting: Setting) -> Setting:
 
     For *when is the speed 2.1 m/s?* it asks for the speed at the time t, the answer. For a threshold, the number whose
     limit is meant has its limiting value; if a result states that, another number is the unknown. For an optimum, the
-    scene is the one that has it.
+    scene is the one that has it. For an extreme value at the end of a stretch it asks for the value at that moment, and
+    for *how fast is it when its displacement is 2 m?* at the moment with a name of its own, that it has moved 2 m.
     """
     if isinstance(setting.query, ThresholdQuery) and setting.answer is not None and setting.sought is None:
         path, sought = setting.query.parameter, setting.answer
@@ -52,8 +55,12 @@ def forward(setting: Setting) -> Setting:
             scene = setting.scene.having(setting.query.path, place)
             return replace(setting, scene=scene, unknown=setting.query.path, stated=None, sought=setting.answer)
     moment = setting.query.moment
+    if setting.query.kind == "extremum":
+        return at_end(setting) or setting
     if not isinstance(moment, Reached) or setting.answer is None:
         return setting
+    if setting.query.kind != "time_to_event":
+        return at_named_moment(setting)
     query = Query("state", moment.target, AtTime(setting.answer))
     return replace(setting, query=query, stated=moment.given, sought=setting.answer)
 

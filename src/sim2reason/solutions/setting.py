@@ -37,7 +37,9 @@ class Setting:
     query: Query
     unknown: str = ""  # the address of the number that the text leaves open, and asks for
     stated: StatedResult | None = None  # what the query's answer is said to be, where that is not asked for
-    sought: float | None = None  # the time that is asked for, where a result at that time is given
+    sought: float | None = None  # the moment's number that is asked for, such as a time, where a result then is given
+    passage: int = 0  # 1 or 2: at which of the times a quantity passes the result, where those are told apart
+    extreme: StretchQuery | None = None  # the extreme value that is asked for, where the query asks for it at an end
     formula: Formula | None = None  # the answer, where the numbers of the text are symbols
     assumed: tuple[Regime, ...] = ()  # what the text says of the motion where its numbers are symbols
     most: Need = Need.INTEGRATION  # what a solution may need; one that needs more is none
@@ -101,7 +103,7 @@ class Setting:
 
     @cached_property
     def answer(self) -> float | None:
-        """Return the engine's value of the query, of an unknown number, or of the time of a given result.
+        """Return the engine's value of the query, of an unknown number, or of the moment's of a given result.
 
         A greatest value at an end of its stretch is one, though only people ask for it.
         """

@@ -20,10 +20,12 @@ from sim2reason.solutions.laws.either_way import needs_modulus
 from sim2reason.solutions.laws.strings_and_pulleys import after_what_they_rest_on
 from sim2reason.solutions.multipart.renaming import times_in_sequence
 from sim2reason.solutions.opposite_sign import is_magnitude
+from sim2reason.solutions.reached_values import number_unit
 from sim2reason.solutions.reverse import Inversion, forward
 from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.solution import SAME, Relation, Solution, Step
 from sim2reason.solutions.strategies import STRATEGIES, Strategy, fitting, offered
+from sim2reason.solutions.stretch_ends import tell_reason
 from sim2reason.solutions.verification import verified
 from sim2reason.solutions.writing.lexicon import UnreadError
 from sim2reason.solutions.writing.merging import merged
@@ -112,8 +114,9 @@ def by(strategy: Strategy, setting: Setting, *, shown: bool = True) -> Solution:
 
 def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | None = None, *, shown: bool) -> Solution:
     """Return a solution in numbers; in symbols where it is said how the question's own numbers are `called`."""
-    asks_time = setting.sought is not None and not setting.unknown
-    book = Book(setting.words.units, asks_time=asks_time, called=called, most=setting.most)
+    asks = "" if setting.sought is None or setting.unknown else number_unit(setting.query.moment)
+    book = Book(setting.words.units, asks=asks, called=called, most=setting.most)
+    book.passage = setting.passage
     for path, given in setting.lexicon.givens.items():
         book.reserve(given.symbol)
         unit = given.counted_unit if path == setting.unknown else ""
@@ -125,6 +128,9 @@ def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | N
     try:
         goal = strategy.write(setting, book)
         goal = _inverted(setting, book, goal) if setting.stated is not None and not strategy.integrates else goal
+        if setting.extreme is not None:
+            tell_reason(setting, book, goal)
+            book.units[goal] = book.units.get(goal) or setting.unit  # the text tells the unit of what it gives
         late = {*book.hidden, book.sought}
         if not book.in_symbols:
             book.hidden.clear()

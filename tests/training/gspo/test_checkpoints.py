@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from sim2reason.errors import TrainingError
-from sim2reason.training.gspo.callbacks import Cursor, clear_behind, last_checkpoint, mark, read_cursor, unmark
+from sim2reason.training.gspo.checkpoints import Cursor, clear_behind, last_checkpoint, mark, read_cursor, unmark
 from sim2reason.training.gspo.step_log import StepLog, StepRecord
 
 

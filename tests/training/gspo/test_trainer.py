@@ -13,7 +13,7 @@ import pytest
 
 from sim2reason.errors import TrainingError
 from sim2reason.training.gspo import StepLog, last_checkpoint, make_trainer
-from sim2reason.training.gspo.callbacks import read_cursor
+from sim2reason.training.gspo.checkpoints import read_cursor
 from sim2reason.training.lora import Lora
 from sim2reason.training.models import Checkpoint
 

@@ -5,7 +5,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from sim2reason.scenes.dsl.frames import Frames
+from sim2reason.scenes.dsl.frames import Frames, start
 from sim2reason.scenes.dsl.mechanism import ZERO, Coordinate, Inextensible, Mechanism, X, Y
 from sim2reason.scenes.dsl.state import Array, State
 from sim2reason.scenes.dsl.vectors import cross, minus, product, unit
@@ -140,6 +140,16 @@ class HeightAboveStart(Quantity):
     def fits(self, mechanism: Mechanism, name: str) -> bool:
         """Return whether there is gravity and the body can move up or down."""
         return mechanism.gravity != ZERO and center_path(mechanism, name).rises
+
+
+def height_at_start(mechanism: Mechanism, name: str) -> float:
+    """Return the height above the ground, in m, at which a body that falls to the ground or bounces off it starts."""
+    number = _falling(mechanism, name)
+    if number is not None:
+        return -mechanism.coordinates[number].lower
+    gap = next(met for met in mechanism.meetings if met.a is None and met.names == (name,))
+    assert gap.normal is not None
+    return float(product(start(mechanism).center(name).place, gap.normal)) - gap.distance
 
 
 def _falling(mechanism: Mechanism, name: str) -> int | None:

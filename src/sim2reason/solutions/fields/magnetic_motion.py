@@ -4,7 +4,7 @@ from functools import reduce
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Product, Symbol, multiplied
-from sim2reason.solutions.algebra.functions import Call, Power, Root
+from sim2reason.solutions.algebra.functions import Call, Power, Root, length_of
 from sim2reason.solutions.fields.forces import AXES, TURNS, Drive, Fields
 from sim2reason.solutions.fields.motion import Driven, FieldMotion
 from sim2reason.solutions.setting import joined
@@ -284,6 +284,9 @@ class Turning(FieldMotion):
 
     def extreme(self, *, least: bool) -> tuple[str, str, Symbol, Expression]:
         """The greatest or the least speed in uniform fields: what turns is then along the drift, or against it."""
+        if all(part == ZERO for part in self._drift):
+            said = "The magnetic force is perpendicular to the velocity and does no work, so the speed is always"
+            return "extremum", said, self.book.fresh("v"), length_of(self.turned)
         sizes: list[Expression] = []
         for parts in (self._drift, self.turned):
             kept = [part for part in parts if part != ZERO]

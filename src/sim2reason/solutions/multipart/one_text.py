@@ -5,11 +5,12 @@ from dataclasses import replace
 
 from sim2reason.grading.parts import LABELS
 from sim2reason.solutions.multipart.in_sequence import UNCLEAR, in_sequence
-from sim2reason.solutions.multipart.quantities import agree, meanings
+from sim2reason.solutions.multipart.quantities import agree, meanings, unit_of
 from sim2reason.solutions.multipart.quoting import AS_IN_PART, SO, referred
 from sim2reason.solutions.multipart.recall import EARLIER
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.solution import Solution, Step
+from sim2reason.solutions.writing.steps import Book
 
 REFERENCES = EARLIER, "equations", "reference", "givens"
 """Kinds of steps that only quote an earlier part or the givens, and are left out in one text."""
@@ -46,3 +47,21 @@ def _placed(step: Step, places: Mapping[int, int], source: Mapping[str, int]) ->
     needs |= {source[name] for name in (*step.symbols(), *referred(step.text)) if name in source}
     text = step.text.replace(AS_IN_PART.format(LABELS[0]), SO)
     return replace(step, id=places[step.id], needs=tuple(sorted(needs)), text=text)
+
+
+def enter(part: Solution, book: Book) -> None:
+    """Register all symbols of a solution in a book."""
+    said = {name: text for step in part.steps if step.kind == "givens" for name, text in _stated(part, step.text)}
+    book.stated |= {name: said[name] for name in part.stated if name in said}
+    book.constants |= part.constants
+    for name, value in part.values.items():
+        if name not in book.values:
+            book.reserve(name)
+            book.know(name, value, unit_of(name, part))
+    book.keen = max(book.keen, part.keen)
+
+
+def _stated(part: Solution, givens: str) -> list[tuple[str, str]]:
+    """Return the numbers in the question, with their units, as givens."""
+    equations = (formula.partition(" = ") for formula in givens.split("$")[1::2])
+    return [(name, said) for name, _, said in equations if name in part.stated]

@@ -7,6 +7,7 @@ from sim2reason.questions import Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
 from sim2reason.scenes.dsl.frames import start
 from sim2reason.scenes.dsl.vectors import Vector
+from sim2reason.simulation.quantities.positions import Height, HeightAboveStart, height_at_start
 from sim2reason.simulation.quantities.subjects.pairs import members
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol, multiplied
 from sim2reason.solutions.algebra.functions import Absolute, squares
@@ -195,6 +196,14 @@ def _distance(equations: PhaseEquations, target: Target) -> Expression:
     return size((x, y, z))
 
 
+def _height(equations: PhaseEquations, target: Target) -> Expression:
+    first = NIL
+    if target.quantity == Height.name:
+        lexicon = equations.lexicon
+        first = lexicon.read(Both(*(height_at_start(m, target.subject) for m in (lexicon.mechanism, lexicon.twin))))
+    return Absolute((first + equations.displacement(target.subject)[2]).factored())
+
+
 VALUES: Mapping[str, Callable[[PhaseEquations, Target], Expression]] = {
     "velocity": lambda equations, target: _vector(equations.triple("velocity", target.subject), target),
     "displacement": lambda equations, target: _vector(equations.displacement(target.subject), target),
@@ -205,6 +214,8 @@ VALUES: Mapping[str, Callable[[PhaseEquations, Target], Expression]] = {
     "extension": _extension,
     "angular velocity": _angular,
     "tension": _tension,
+    Height.name: _height,
+    HeightAboveStart.name: _height,
 }
 
 

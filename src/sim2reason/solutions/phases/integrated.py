@@ -6,8 +6,10 @@ from math import isnan, radians
 
 import numpy as np
 
-from sim2reason.questions import KINDS
+from sim2reason.questions import KINDS, StatedResult, Target
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments.parts.reached import Reached
+from sim2reason.questions.moments.times import AtTime
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.simulation.engines.exact.motion import Segment
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
@@ -36,7 +38,7 @@ from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.solution import Accumulated, Condition, Coordinate, Integration, Phase
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.subscripts import split
-from sim2reason.solutions.writing.unit_latex import DEGREES, NEWTONS, SECONDS, latex
+from sim2reason.solutions.writing.unit_latex import DEGREES, NEWTONS, SECONDS, latex, unit_of_quantity
 
 NOTHING = 1e-12  # in SI units: the rounding of zero
 WIDTH = 2e-3  # of the time asked: around an extreme value, where its rate changes sign
@@ -45,6 +47,13 @@ FORCES = frozenset(
     {"acceleration", "angular acceleration", "tension", "normal force", "friction force", "net force", "torque"}
 )
 INTRODUCTION = "The equations of motion are integrated numerically."
+
+
+def _excess(inner: PhaseEquations, target: Target, given: StatedResult) -> Expression:
+    """Return by how much a quantity exceeds a stated value, which becomes a given."""
+    unit = unit_of_quantity(target.quantity)
+    value = radians(given.value) if unit == DEGREES else given.value
+    return formula_of(inner, target) - said(inner, "c", value, unit)
 
 
 class IntegratedPhases:
@@ -181,9 +190,11 @@ class IntegratedPhases:
         if query.kind == "extremum" and isinstance(query, StretchQuery):
             return rate_formulas(inner, query.functional, query.name)
         if setting.sought is not None and not setting.unknown and setting.stated is not None and setting.target:
-            unit = self.setting.unit
-            value = radians(setting.stated.value) if unit == DEGREES else setting.stated.value
-            return [formula_of(inner, setting.target) - said(inner, "c", value, unit)]
+            if not isinstance(query.moment, AtTime):
+                raise UnsolvedError("it asks for no time")
+            return [_excess(inner, setting.target, setting.stated)]
+        if isinstance(query.moment, Reached) and query.target != query.moment.target:
+            return [_excess(inner, query.moment.target, query.moment.given)]
         return moment_conditions(inner, query.moment)
 
     def _ended(self, inner: PhaseEquations, stretch: Stretch) -> tuple[Names, dict[str, Symbol]]:

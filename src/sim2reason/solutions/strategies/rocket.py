@@ -93,7 +93,8 @@ class _Burning(Burning):
             return self._stopping
         if self.out:
             return self.book.told("time", "The total time is", self.book.fresh("t"), self.burned + self.coast, SECONDS)
-        assert isinstance(moment, Moved)
+        if not isinstance(moment, Moved):
+            raise UnsolvedError("no way to the time of that moment")
         return self._after(moment)
 
     @cached_property

@@ -6,8 +6,7 @@ from sim2reason.questions import KINDS, Query
 from sim2reason.questions.kinds.parts.which import WhichKind, WhichQuery
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.algebra.expressions import Symbol
-from sim2reason.solutions.multipart.one_text import in_one_text
-from sim2reason.solutions.multipart.quantities import unit_of
+from sim2reason.solutions.multipart.one_text import enter, in_one_text
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.solution import Solution
 from sim2reason.solutions.solve import solve
@@ -50,7 +49,7 @@ class WhichOfTwo(Strategy):
             raise UnsolvedError(orders[0][0][0].reason)
         parts, steps = min(told, key=lambda each: sum(len(step.text.split()) for step in each[1]))
         for part in parts:
-            _enter(part, book)
+            enter(part, book)
         book.rewrite(0, steps)
         book.phases = [*max((part.phases for part in parts), key=len)]
         asked = [each.query for each in settings]
@@ -67,24 +66,6 @@ def _solved(inner: Setting) -> Solution:
     if found.answer is None or not found.derived:
         raise UnsolvedError(found.reason or "only an integration leads to it")
     return found
-
-
-def _enter(part: Solution, book: Book) -> None:
-    """Register all symbols of a solution in a book."""
-    said = {name: text for step in part.steps if step.kind == "givens" for name, text in _stated(part, step.text)}
-    book.stated |= {name: said[name] for name in part.stated if name in said}
-    book.constants |= part.constants
-    for name, value in part.values.items():
-        if name not in book.values:
-            book.reserve(name)
-            book.know(name, value, unit_of(name, part))
-    book.keen = max(book.keen, part.keen)
-
-
-def _stated(part: Solution, givens: str) -> list[tuple[str, str]]:
-    """Return the numbers in the question, with their units, as givens."""
-    equations = (formula.partition(" = ") for formula in givens.split("$")[1::2])
-    return [(name, said) for name, _, said in equations if name in part.stated]
 
 
 def _concluded(query: WhichQuery, setting: Setting, book: Book, one: Symbol, other: Symbol) -> str:

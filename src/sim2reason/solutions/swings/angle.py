@@ -37,6 +37,7 @@ TWO = Number(2.0)
 UP = (0.0, 0.0, 1.0)
 SMALL = "The angular frequency of small oscillations is"
 PASSED = "Having passed the lowest point, it has turned through"
+LOST = "The height lost is"  # where it is below its starting point
 Way = tuple[str, str]  # the method that gives a formula, and what is said before it
 
 
@@ -158,8 +159,7 @@ class SwingAngle(ABC):
         """The angle that the moment says: of the line to the centre of mass, or by how much it has turned."""
         moment, name = self.setting.query.moment, self.book.fresh(r"\phi")
         assert isinstance(moment, Deflected | TurnedThrough)
-        self.book.know(name.name, np.radians(moment.value), DEGREES)
-        self.book.stated[name.name] = rf"{moment.value:g}{DEGREES}"
+        self.book.say_given(name.name, float(np.radians(moment.value)), DEGREES)
         return name
 
     @abstractmethod
@@ -238,7 +238,8 @@ class SwingAngle(ABC):
         formula = -formula if (turned := sense is None and self.book.value(formula) < 0.0) else formula
         if isinstance(formula, Symbol) and (self.setting.unit != DEGREES or self.book.units[formula.name] == DEGREES):
             return formula  # an angle that the text says is counted in radians
-        said = of_magnitude(self.said(quantity) or "So", quantity) if turned else self.said(quantity) or "So"
+        said = self.said(quantity) or "So"
+        said = LOST if turned and quantity == "height" else of_magnitude(said, quantity) if turned else said
         found = self.book.told("answer", said, self.book.fresh(LETTERS[quantity]), formula, self.setting.unit)
         self._compare_ends(quantity, found)
         return found

@@ -7,6 +7,7 @@ from sim2reason.questions.moments.angles import Deflected, TurnedThrough
 from sim2reason.questions.moments.strings import WentSlack
 from sim2reason.questions.moments.times import AtStart, AtTime
 from sim2reason.questions.moments.turning_points import HighestPoint, LowestPoint, Stopped
+from sim2reason.simulation.quantities.positions import HeightAboveStart
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Symbol
 from sim2reason.solutions.algebra.functions import Call, Power, Root
 from sim2reason.solutions.setting import Setting, capital
@@ -37,7 +38,8 @@ def quantity_of(setting: Setting) -> str:
     query = setting.query
     if isinstance(query, StretchQuery):
         return EXTREMES[query.functional][0] if query.functional in EXTREMES else query.functional
-    return query.target.quantity if query.target is not None else ""
+    named = query.target.quantity if query.target is not None else ""
+    return "height" if named == HeightAboveStart.name else named
 
 
 def turns_back(setting: Setting, noun: str) -> str:

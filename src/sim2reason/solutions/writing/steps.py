@@ -11,7 +11,7 @@ from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
 from sim2reason.solutions.algebra.needs import need_of
 from sim2reason.solutions.solution import CHECKS, Integration, Phase, Relation, Step, with_unit
 from sim2reason.solutions.writing.subscripts import FreshNames, Labels
-from sim2reason.solutions.writing.unit_latex import CANONICAL, DEGREES, SECONDS, latex
+from sim2reason.solutions.writing.unit_latex import CANONICAL, DEGREES, latex
 
 STATE_DIGITS = 8  # of numbers on which an integration rests
 
@@ -27,17 +27,17 @@ class Book(FreshNames):
         self,
         units: UnitSystem = SI,
         *,
-        asks_time: bool = False,
+        asks: str = "",
         called: Mapping[str, str] | None = None,
         most: Need = Need.INTEGRATION,
     ) -> None:
-        """Make an empty book with results in `units`; with `asks_time` the time that is said is what is asked for.
+        """Make an empty book with results in `units`; `asks` is the unit of the number of a moment that is asked for.
 
         With `called`, it is in symbols: no number is written, and given numbers have the names that it maps theirs to.
         No result may need more than `most`.
         """
         super().__init__(called)
-        self.most, self._units, self.asks_time = most, units, asks_time
+        self.most, self._units, self.asks = most, units, asks
         self.values: dict[str, float] = {}
         self.units: dict[str, str] = {}
         self.steps: list[Step] = []
@@ -48,19 +48,20 @@ class Book(FreshNames):
         self.formulas: dict[str, Expression] = {}  # of those, in order
         self.keen = 1.0  # relative: by how much what is given changes with what is unknown
         self.sign_chosen = 0  # 1 or −1, for the magnitude of what hangs on an unknown, see `goals.modulus`
+        self.passage = 0  # 1 or 2: at which of the times a quantity passes a value that is asked for; 0 if that is open
         self.phase = 0  # the index of the phase of the motion to which the next steps belong
         self.phases: list[Phase] = []  # empty where the motion has a single phase
         self.afterwards: list[Callable[[], None]] = []  # write arguments that may rest on what was found in the end
         self.checks: dict[object, Callable[[], None]] = {}  # write, after those, verifications of what is shown alone
         self.earliest: dict[int, int] = {}  # of a step that belongs further up: the number of one that it stands after
-        self.sought = ""  # the symbol of a time that is asked for, where a result at that time is given
+        self.sought = ""  # the symbol of a moment's number that is asked for, where a result at that moment is given
         self.labels = Labels()
         self._source: dict[str, int] = {}
 
     def copy(self) -> "Book":
         """Another with the same names known, and no steps, for a draft."""
-        found = Book(self._units, asks_time=self.asks_time, called=self._called, most=self.most)
-        found.hidden, found.sought = {*self.hidden}, self.sought
+        found = Book(self._units, asks=self.asks, called=self._called, most=self.most)
+        found.hidden, found.sought, found.passage = {*self.hidden}, self.sought, self.passage
         found.values, found.units, found.stated = {**self.values}, {**self.units}, {**self.stated}
         found._taken, found.labels = {*self._taken}, copy(self.labels)
         return found
@@ -82,9 +83,9 @@ class Book(FreshNames):
 
     def say_given(self, name: str, value: float, unit: str) -> None:
         """A number that the question itself says."""
-        is_time, unit = unit == SECONDS, self.unit_in_text(unit)
+        is_asked, unit = unit == self.asks, self.unit_in_text(unit)
         self.know(name, value, unit)
-        if self.asks_time and is_time and not self.sought:
+        if is_asked and self.asks and not self.sought:
             self.sought = name
             self.hidden.add(name)
         else:

@@ -16,8 +16,8 @@ from typing import Any, TypeAlias
 from sim2reason.errors import TrainingError
 from sim2reason.training.extras import library
 from sim2reason.training.gspo.batches import Group, cut, filler, join, moved
-from sim2reason.training.gspo.callbacks import (
-    BetweenUpdates,
+from sim2reason.training.gspo.callbacks import BetweenUpdates
+from sim2reason.training.gspo.checkpoints import (
     Cursor,
     clear_behind,
     folder_of,

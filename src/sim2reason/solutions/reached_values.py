@@ -1,0 +1,79 @@
+"""Questions about the moment at which a quantity reaches a value: at which named moments that is."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from math import isclose
+
+from sim2reason.questions import Query
+from sim2reason.questions.moments import Moment
+from sim2reason.questions.moments.angles import Deflected, TurnedThrough
+from sim2reason.questions.moments.distances import Away, Moved
+from sim2reason.questions.moments.parts.passage import Threshold
+from sim2reason.questions.moments.parts.reached import Reached
+from sim2reason.questions.moments.times import AtTime
+from sim2reason.questions.query import Target
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.writing.unit_latex import DEGREES, METRES, SECONDS
+
+SAME_TIME = 1e-9  # relative: two moments that are closer are one
+UNITS: Mapping[str, str] = {"s": SECONDS, "m": METRES, "deg": DEGREES}
+THRESHOLDS: Mapping[str, tuple[type[Threshold], ...]] = {
+    "displacement": (Moved, Away),
+    "deflection": (Deflected,),
+    "angle turned": (TurnedThrough,),
+}
+"""By quantity, the moments at which its magnitude has a stated value for the first time."""
+
+
+def number_unit(moment: Moment | None) -> str:
+    """Return the unit, in LaTeX, of the number that a moment states; seconds if it states none."""
+    stated = moment.stated if moment is not None else ()
+    return UNITS.get(stated[0][1], "") if stated else SECONDS
+
+
+def at_named_moment(setting: Setting) -> Setting:
+    """Return the question at the moment with a name of its own that a value sets; the question itself if none has."""
+    moment = setting.query.moment
+    if not isinstance(moment, Reached):
+        return setting
+    named = next(_thresholds(setting, moment.target, moment.given.value), None)
+    return setting if named is None else replace(setting, query=Query(named.kind, setting.query.target, named))
+
+
+def _thresholds(setting: Setting, target: Target, value: float) -> Iterator[Threshold]:
+    """Yield the moments at which a quantity first has a value, if the moment asked about is that one."""
+    if target.sense is not None or setting.unknown or value <= 0.0:
+        return
+    for cls in THRESHOLDS.get(target.quantity, ()):
+        if target.subject in cls.candidates(setting.words):
+            moment = cls(target.subject, value)
+            time = setting.study.time(moment)
+            if time is not None and isclose(time, setting.time, rel_tol=SAME_TIME):
+                yield moment
+
+
+def instants(setting: Setting) -> Iterator[tuple[Moment, float]]:
+    """Yield moments of a stated number that are the one at which a quantity reaches a value, each with its number.
+
+    Distances along a line and angles come first, at which energy gives speeds without the time, which comes last.
+    """
+    reached, query = setting.query.moment, setting.query
+    assert isinstance(reached, Reached)
+    asked = (query.target.subject,) if query.target is not None else ()
+    for quantity, classes in THRESHOLDS.items():
+        kept = (
+            [] if setting.mechanism.burns else [cls for cls in classes if cls is not Away]
+        )  # its mass hangs on the time
+        subjects = {name: None for cls in kept for name in cls.candidates(setting.words)}
+        for subject in sorted(subjects, key=lambda name: name not in (*asked, reached.target.subject)):
+            target = Target(quantity, subject)
+            value = target.value(setting.study.trace.at(setting.time))
+            yield from ((moment, value) for moment in _thresholds(setting, target, value))
+    yield AtTime(setting.time), setting.time
+
+
+def is_number_of(moment: Moment, target: Target | None) -> bool:
+    """Return whether a quantity is the number that a moment states."""
+    if target is None or target.sense is not None or not isinstance(moment, Threshold):
+        return False
+    return type(moment) in THRESHOLDS.get(target.quantity, ()) and moment.name == target.subject

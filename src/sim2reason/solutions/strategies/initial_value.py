@@ -1,0 +1,65 @@
+"""Initial value: a speed or a kinetic energy at the start, where it is the extreme one of a stretch of motion."""
+
+from sim2reason.base.lazy import cached_property
+from sim2reason.questions.moments.times import AtStart
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.solutions.algebra.expressions import Symbol
+from sim2reason.solutions.algebra.polynomials import NIL, Polynomial
+from sim2reason.solutions.goals import GOALS
+from sim2reason.solutions.laws.newton import Newton
+from sim2reason.solutions.laws.straight_way import Way
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+
+QUANTITIES = frozenset({"velocity", "kinetic energy"})
+
+
+@strategy
+class InitialValue(Strategy):
+    """A speed or a kinetic energy that follows from the initial velocities that the text gives."""
+
+    name = "initial value"
+    cost = 0.5
+    kinds = frozenset({"start"})
+
+    def formulas(self, mechanism: Mechanism) -> frozenset[str]:
+        """Return no kinds, since only people ask for it."""
+        del mechanism
+        return frozenset()
+
+    def refusal(self, setting: Setting) -> str:
+        """Return why it does not apply: questions about a moment do not ask for what the text gives."""
+        target = setting.target
+        if setting.extreme is None or not isinstance(setting.query.moment, AtStart) or target is None:
+            return "it is about no extreme value at the start"
+        return "" if target.quantity in QUANTITIES else f"no way to the quantity {target.quantity}"
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """Return the value by the components of the initial velocity."""
+        way = _AtStart(setting, book)
+        assert way.target is not None
+        return GOALS[way.target.quantity].write(way.target, way).name
+
+
+class _AtStart(Way):
+    """Velocities at t = 0."""
+
+    @property
+    def newton(self) -> Newton:
+        """Return the laws of the first segment, for masses and directions alone."""
+        return self._newton
+
+    @cached_property
+    def _newton(self) -> Newton:
+        return Newton(self.setting.lexicon, self.setting.motion.segments[0])
+
+    def force(self, kind: str, name: str) -> Symbol:
+        """Return no force: it needs the accelerations."""
+        raise UnsolvedError(f"no {kind} of {name}")
+
+    def rate(self, kind: str, k: int) -> Polynomial:
+        """Return the initial velocity along a coordinate."""
+        if kind != "v":
+            raise UnsolvedError("only velocities are known at the start")
+        return self.first_speeds.get(k, NIL)

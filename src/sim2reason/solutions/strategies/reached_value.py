@@ -1,0 +1,199 @@
+"""Value reached: the moment at which a quantity has a stated value, then what is asked about that moment."""
+
+import re
+from collections.abc import Iterator, Sequence
+from collections.abc import Set as AbstractSet
+from dataclasses import replace
+from math import isclose, radians
+
+from sim2reason.questions import Query
+from sim2reason.questions.moments import Moment
+from sim2reason.questions.moments.parts.reached import Reached
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.solutions.algebra.expressions import Number, Symbol
+from sim2reason.solutions.collisions.placing import SOLVED
+from sim2reason.solutions.multipart.in_sequence import LAWS
+from sim2reason.solutions.multipart.one_text import enter, in_one_text
+from sim2reason.solutions.multipart.recall import given_for
+from sim2reason.solutions.multipart.renaming import renamed_step, spoken
+from sim2reason.solutions.reached_values import instants, is_number_of, number_unit
+from sim2reason.solutions.setting import Setting, joined
+from sim2reason.solutions.solution import CHECKS, WELL, Relation, Solution, Step
+from sim2reason.solutions.solve import solve
+from sim2reason.solutions.strategies import Strategy, strategy
+from sim2reason.solutions.writing.steps import Book, UnsolvedError
+from sim2reason.solutions.writing.unit_latex import DEGREES
+
+_SENTENCES = re.compile(r"(?<=[.]) (?=[A-Z])")
+
+
+@strategy
+class ValueReached(Strategy):
+    """Finds where or when a quantity has the stated value, then solves the question about that moment."""
+
+    name = "value reached"
+    cost = 1.0
+    kinds = frozenset({"event"})
+    nested = True
+    finished = True
+
+    def formulas(self, mechanism: Mechanism) -> frozenset[str]:
+        """Return no kinds, since the text has its own numbers."""
+        del mechanism
+        return frozenset()
+
+    def refusal(self, setting: Setting) -> str:
+        """Return why the strategy does not apply; empty if it does."""
+        moment = setting.query.moment
+        if not isinstance(moment, Reached):
+            return "no quantity reaches a value"
+        if setting.unknown or setting.formula is not None:
+            return "it has no way to an unknown, or in symbols"
+        if setting.target is None or setting.target == moment.target:
+            return "the question says the value"
+        return ""
+
+    def write(self, setting: Setting, book: Book) -> str:
+        """Write the way to the moment and on from there, by the first number of the moment that leads to the answer."""
+        reasons: list[str] = []
+        for moment, value in instants(setting):
+            parts = [*_parts(setting, moment, value)]
+            solutions = [solve(part, checked=False) for part in parts]
+            failed = next((found for found in solutions if not found.derived), None)
+            if failed is not None:
+                reasons.append(failed.reason or "only an integration leads to it")
+                continue
+            told = [solutions[0], *(_with_found(part, moment, value) for part in solutions[1:])]
+            found, steps = in_one_text(parts, told)
+            if steps:
+                for part in found:
+                    enter(part, book)
+                steps, goal = _with_stated_result(_without_repeated(steps), found)
+                book.rewrite(0, steps)
+                return goal
+            reasons.append(found[-1].reason)
+        raise UnsolvedError(reasons[-1])
+
+
+def _parts(setting: Setting, moment: Moment, value: float) -> Iterator[Setting]:
+    """Yield the question about the number of a moment, then that about the quantity at this moment."""
+    reached = setting.query.moment
+    assert isinstance(reached, Reached)
+    query, which = Query(moment.kind, reached.target, moment), reached.number
+    yield replace(setting, query=query, stated=reached.given, sought=value, passage=which)
+    if not is_number_of(moment, setting.query.target):
+        yield replace(setting, query=Query(moment.kind, setting.query.target, moment))
+
+
+def _with_found(part: Solution, moment: Moment, value: float) -> Solution:
+    """Return a solution in which the number of a moment is no given, but a result from elsewhere."""
+    unit = number_unit(moment)
+    counted = radians(value) if unit == DEGREES else value
+    name = next((n for n in part.stated if isclose(part.values[n], counted, rel_tol=WELL)), "")
+    if not name:
+        return part
+    used = {n for step in part.steps for n in step.symbols()} - {name}
+    steps = [given_for(step, used) if step.kind == "givens" else step for step in part.steps]
+    relation = Relation(Symbol(name), Number(part.values[name]), "result", unit)
+    found = Step(len(steps), "moment", "", (relation,), (name,), ())
+    return replace(part, steps=tuple(_after_givens(steps, found)), stated=tuple(n for n in part.stated if n != name))
+
+
+def _after_givens(steps: list[Step], found: Step) -> Iterator[Step]:
+    """Yield steps with one more after the givens; steps that take its name need it."""
+    (name,) = found.gives
+    first = [step for step in steps if step.kind == "givens"]
+    rest = [step for step in steps if step.kind != "givens"]
+    place = {step.id: number for number, step in enumerate([*first, found, *rest])}
+    yield from (replace(step, id=place[step.id]) for step in first)
+    yield replace(found, id=place[found.id])
+    for step in rest:
+        needs = {place[need] for need in (*step.needs, *((found.id,) if name in step.symbols() else ()))}
+        yield replace(step, id=place[step.id], needs=tuple(sorted(needs)))
+
+
+def _with_stated_result(steps: Sequence[Step], parts: Sequence[Solution]) -> tuple[list[Step], str]:
+    """Return steps that take the stated value of a quantity where they would find it again, and the goal's name.
+
+    What the answer does not rest on is left out: a kinetic energy follows from a stated speed alone.
+    """
+    first, goal = parts[0], parts[-1].goal
+    own = {r.left.latex(): r.right for step in first.steps for r in step.relations if r.role in ("law", "result")}
+    again: dict[str, str] = {}
+    for step in steps:
+        for relation in step.relations if len(step.gives) == 1 else ():
+            stated = (name for name in first.stated if own.get(name) == relation.right)
+            again |= {name: known for name in step.gives for known in stated if name not in (known, goal)}
+    kept = [*_renumbered([renamed_step(step, again) for step in steps if again.keys().isdisjoint(step.gives)])]
+    kept = _with_found_values(kept, first)
+    needed = _needed(goal, kept, {*first.stated})
+    if not any(first.goal in (*step.gives, *step.symbols()) for step in needed):
+        kept = [_without(step, first.goal) for step in needed]
+    return [*_renumbered(kept)], goal
+
+
+def _with_found_values(steps: Sequence[Step], first: Solution) -> list[Step]:
+    """Return steps with the values of names that were written before the moment was known and are used after it."""
+    place = max((n for n, step in enumerate(steps) if first.goal in step.gives), default=len(steps))
+    formulas = {r.left.latex(): r for step in steps[:place] for r in step.relations if r.left.latex() in step.gives}
+    found = {name for step in steps[:place] if step.kind == SOLVED for name in step.gives} | {*first.stated}
+    open_names = {first.goal}
+    for name, relation in formulas.items():
+        if not open_names.isdisjoint(relation.right.symbols()) and name not in found:
+            open_names.add(name)
+    used = {name for step in steps[place + 1 :] for name in step.symbols()}
+    told = [formulas[name] for name in formulas if name in open_names & used]
+    if not told:
+        return [*steps]
+    said = joined([relation.latex(first.values[relation.left.latex()]) for relation in told])
+    sources = tuple(n for n, step in enumerate(steps) if {r.left.latex() for r in told} & {*step.gives})
+    relations = tuple(replace(relation, role="derived") for relation in told)
+    step = Step(len(steps), "moment", f"At this moment, {said}.", relations, (), (*sources, place))
+    return [*_renumbered([*steps[: place + 1], step, *steps[place + 1 :]])]
+
+
+def _without(step: Step, name: str) -> Step:
+    """Return a step without the sentences and checks about a name that is not told."""
+    said = (sentence for sentence in _SENTENCES.split(step.text) if name not in spoken(sentence))
+    checks = (r for r in step.relations if r.role not in CHECKS or name not in r.symbols())
+    return replace(step, text=" ".join(said), relations=tuple(checks))
+
+
+def _without_repeated(steps: Sequence[Step]) -> list[Step]:
+    """Return steps without those that verify again what an earlier one does, in other words."""
+    said: list[tuple[Relation, ...]] = []
+    kept: list[Step] = []
+    for step in steps:
+        if step.gives or not step.relations or step.relations not in said:
+            kept.append(step)
+        if not step.gives:
+            said.append(step.relations)
+    return [*_renumbered(kept)]
+
+
+def _needed(goal: str, steps: Sequence[Step], stated: AbstractSet[str]) -> list[Step]:
+    """Return the steps that lead to a name, and those that verify something of them.
+
+    What leads to a stated name is needed only if something is found from that name.
+    """
+    names = {name for step in steps for name in step.symbols()}
+    labels = {step.id for step in steps if step.gives and names.isdisjoint(step.gives)}  # of equations, not of values
+    source = {name: step for step in steps for name in step.gives}  # the last one, which finds what was unknown before
+    waiting, kept = [source[goal]] if goal in source else [], dict[int, Step]()
+    while waiting:
+        step = waiting.pop()
+        if step.id in kept:
+            continue
+        kept[step.id] = step
+        solves = step.kind == SOLVED
+        waiting += [source[name] for name in step.symbols() if name in source and name not in stated]
+        waiting += [steps[need] for need in step.needs if need in labels or (solves and stated & {*steps[need].gives})]
+    ids, by_laws = kept.keys(), any(step.kind in LAWS for step in kept.values())
+    checks = [s.id for s in steps if not s.gives and (not ids.isdisjoint(s.needs) or (by_laws and not s.needs))]
+    return [step for step in steps if step.id in ids or step.id in checks]
+
+
+def _renumbered(steps: Sequence[Step]) -> Iterator[Step]:
+    place = {step.id: number for number, step in enumerate(steps)}
+    for step in steps:
+        yield replace(step, id=place[step.id], needs=tuple(place[need] for need in step.needs if need in place))

@@ -1,0 +1,260 @@
+"""Extreme values at an end of a part of a motion: the question about the value there, and why it is extreme.
+
+The part is the whole stretch that is asked about, or what goes before an event: an impact, burn-out, a turning point.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from sim2reason.questions import KINDS, Query
+from sim2reason.questions.choices import only_falls
+from sim2reason.questions.functionals import FUNCTIONALS
+from sim2reason.questions.functionals.parts.extreme import Extreme
+from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
+from sim2reason.questions.moments import Moment
+from sim2reason.questions.moments.bounces import GROUND, Bounced, Landed, struck
+from sim2reason.questions.moments.burned_out import BurnedOut
+from sim2reason.questions.moments.parts.occurrence import VelocityJump
+from sim2reason.questions.moments.times import AtStart, WholeMotion
+from sim2reason.questions.moments.turning_points import Stopped
+from sim2reason.questions.query import Target
+from sim2reason.scenes.dsl.constancy import changing
+from sim2reason.scenes.dsl.mechanism import Mechanism
+from sim2reason.simulation.trace import IMPACTS
+from sim2reason.solutions.setting import Setting
+from sim2reason.solutions.writing.steps import Book
+
+SAME = 1e-9  # relative: how well an extreme value is that at an end
+SAMPLES = 2000  # instants of a stretch at which a function is looked at
+LEAST_CHANGE = 1e-9  # of the greatest value: a function that changes by less is constant
+SPEEDS = frozenset({"velocity", "kinetic energy"})
+CHANGES: Mapping[str, tuple[str, str]] = {
+    "displacement": ("{who} moves away from its starting point", "{who} approaches its starting point"),
+    "height": ("{who} rises", "{who} sinks"),
+    "distance": ("the two move apart", "the two approach each other"),
+    "angular velocity": (
+        "the angular acceleration of {who} has the sense of its rotation",
+        "the angular acceleration of {who} is opposite to its rotation",
+    ),
+}
+"""By quantity, why it increases and why it decreases."""
+
+
+def at_end(setting: Setting) -> Setting | None:
+    """Return the question about the value at an end of a stretch; None if that is not the extreme value asked for.
+
+    Also None if it is not clear why there is no other value beyond it.
+    """
+    query = setting.query
+    functional = FUNCTIONALS[query.functional] if isinstance(query, StretchQuery) else None
+    if not isinstance(query, StretchQuery) or not isinstance(functional, Extreme):
+        return None
+    kind = KINDS[query.kind]
+    if kind.answer(query, setting.study) is not None or kind.loose_answer(query, setting.study) is None:
+        return None
+    for moment in _ends(setting, query):
+        found = replace(setting, query=_value_at(moment, query, functional), extreme=query)
+        if found.answer is not None and _same(found.answer, kind.loose_answer(query, setting.study)):
+            return found if reason(found) else None
+    return None
+
+
+def _same(one: float, other: float | None) -> bool:
+    return other is not None and abs(one - other) <= SAME * abs(other)
+
+
+def _ends(setting: Setting, query: StretchQuery) -> Iterator[Moment]:
+    """Yield the moments at which a stretch ends, of a jump of velocities also just before it, and begins.
+
+    Last come events of the body that may be within the stretch: its first impact, burn-out and turning point.
+    """
+    moment, study = query.moment, setting.study
+    if isinstance(moment, WholeMotion):
+        until = study.time(moment)
+        happenings = (cls(name) for cls in (Landed, BurnedOut) for name in cls.candidates(setting.words))
+        yield from (event for event in happenings if until is not None and study.time(event) == until)
+    elif isinstance(moment, VelocityJump):
+        yield from (moment, replace(moment, after=False))
+    elif moment is not None:
+        yield moment
+    yield AtStart()
+    if query.name in Bounced.candidates(setting.words):
+        yield Bounced(query.name, after=False)
+    yield from (cls(query.name) for cls in (BurnedOut, Stopped) if query.name in cls.candidates(setting.words))
+
+
+def _value_at(moment: Moment, query: StretchQuery, functional: Extreme) -> Query:
+    """Return the question about the quantity itself at a moment."""
+    return Query(moment.kind, Target(functional.quantity.name, query.name, functional.sense), moment)
+
+
+def reason(setting: Setting) -> str:
+    """Return why the value at an end of a stretch is the extreme one, in sentences; empty if no reason is known."""
+    query = setting.extreme
+    functional = FUNCTIONALS[query.functional] if query is not None else None
+    if query is None or not isinstance(functional, Extreme):
+        return ""
+    event = _event_within(setting)
+    trace, last = setting.study.trace, not isinstance(setting.query.moment, AtStart)
+    times = np.linspace(0.0, _until(setting), SAMPLES + 1)
+    state = trace.sample(times)
+    values = functional.height(state, query.name)
+    little = LEAST_CHANGE * float(np.abs(values).max())
+    quantity = functional.quantity.name if functional.sense is None else query.functional.removeprefix("greatest ")
+    if float(np.ptp(values)) <= little:
+        who = setting.called(query.name)
+        constant = f"No force has a component along the velocity of {who}, so its speed does not change."
+        return constant if quantity in SPEEDS and little > 0.0 and not setting.mechanism.forces else ""
+    if event is not None:
+        grows = bool(np.diff(values[times <= event]).min(initial=0.0) >= -little)
+        falls = bool(np.diff(values[times >= event]).max(initial=0.0) <= little)
+        return _of_event(setting, quantity, turns=grows and falls)
+    towards = values if last else values[::-1]  # the extreme value
+    monotonic = bool(np.diff(towards).min() >= -little)
+    if quantity in SPEEDS and any(e.kind in IMPACTS and 0.0 < e.time < times[-1] for e in trace.events):
+        return ""  # what an impact does is no acceleration along the velocity, or opposite to it
+    if quantity not in SPEEDS or functional.sign < 0.0:
+        return _of_rate(setting, quantity, grows=(functional.sign > 0.0) is last, last=last) if monotonic else ""
+    heights = state.frames.center(query.name).place[2] + 0.0 * times
+    lowest = float(heights[-1 if last else 0]) <= float(heights.min()) + LEAST_CHANGE * float(np.abs(heights).max())
+    return _of_speed(setting, _Course(last, monotonic, lowest, from_rest=float(towards[0]) <= little))
+
+
+@dataclass(frozen=True, slots=True)
+class _Course:
+    """How a speed changes in a stretch: whether the extreme is `last`, and all before it `monotonic`; how it begins.
+
+    `lowest` says that the body is nowhere lower than at the extreme.
+    """
+
+    last: bool
+    monotonic: bool
+    lowest: bool
+    from_rest: bool
+
+    @property
+    def end(self) -> str:
+        """Return which end of the stretch has the extreme value."""
+        return "at the end" if self.last else "at the start"
+
+
+def _until(setting: Setting) -> float:
+    """Return the last instant of the stretch, s."""
+    moment = setting.extreme.moment if setting.extreme is not None else None
+    assert moment is not None
+    time = setting.study.time(moment)
+    assert time is not None
+    return float(np.nextafter(time, 0.0)) if isinstance(moment, VelocityJump) else moment.side(time)
+
+
+def _of_speed(setting: Setting, course: _Course) -> str:
+    """Return why the speed of a body is greatest at an end of a stretch; empty if it is not clear."""
+    query, mechanism, until = setting.extreme, setting.mechanism, _until(setting)
+    assert query is not None
+    who, noun = setting.called(query.name), FUNCTIONALS[query.functional].name
+    jumps = any(event.changes_motion and 0.0 < event.time < until for event in setting.study.trace.events)
+    steady = not changing(mechanism) and not jumps
+    if steady and _flies(mechanism, query.name) and course.lowest:
+        where = "at the end of this part of its path" if course.last else "where it starts"
+        where = "where it lands" if isinstance(setting.query.moment, Landed) else where
+        return (
+            f"In flight only gravity does work on {who}, so that its kinetic energy increases as its height decreases."
+            f" It is nowhere lower than {where}, so this is its {noun}."
+        )
+    if course.monotonic and steady and course.last and course.from_rest:
+        return (
+            f"The forces do not change, so {who} has a constant acceleration. From rest its speed can only increase,"
+            f" so its {noun} is that at the end."
+        )
+    if course.monotonic:
+        way, changes = ("along", "increases") if course.last else ("opposite to", "decreases")
+        return (
+            f"All this time the acceleration of {who} has a component {way} its velocity, so its speed {changes},"
+            f" and its {noun} is that {course.end}."
+        )
+    if not changing(mechanism) and not steady:
+        return (
+            f"The acceleration of {who} is constant in each part of its motion, so the square of its speed is there a"
+            " quadratic function of the time that opens upward, greatest at one end of the part. A comparison of these"
+            f" ends shows that the {noun} is that {course.end}."
+        )
+    if steady:
+        return (
+            f"The acceleration of {who} is constant, so the square of its speed is a quadratic function of the time"
+            f" that opens upward. It is therefore greatest at the start or at the end; here, {course.end}."
+        )
+    return ""
+
+
+def _event_within(setting: Setting) -> float | None:
+    """Return the time, s, of an event with an extreme value that comes before the end of the stretch; else None."""
+    moment = setting.query.moment
+    time = setting.study.time(moment) if moment is not None else None
+    if time is None or isinstance(moment, AtStart) or not time < _until(setting) * (1.0 - SAME):
+        return None
+    return time
+
+
+def _of_event(setting: Setting, quantity: str, *, turns: bool) -> str:
+    """Return why an extreme value is at an event within the stretch; empty if it is not clear.
+
+    `turns` says that the quantity increases until then, and never does afterwards.
+    """
+    moment, query = setting.query.moment, setting.extreme
+    assert query is not None
+    who, name = setting.called(query.name), query.functional
+    if isinstance(moment, Bounced) and quantity in SPEEDS and _falls_to_ground(setting, query.name):
+        return (
+            f"In flight only gravity does work on {who}, so that its kinetic energy increases as its height decreases."
+            f" It is lowest at the ground, and no impact there increases its energy, so the {name} is that just before"
+            " the first impact."
+        )
+    if isinstance(moment, BurnedOut) and quantity in SPEEDS and turns:
+        return (
+            f"While fuel burns, the acceleration of {who} has a component along its velocity. After burn-out no force"
+            f" increases its speed in this time, so the {name} is that at burn-out."
+        )
+    if isinstance(moment, Stopped) and quantity in ("displacement", "height") and turns:
+        why = CHANGES[quantity][0].format(who=who)
+        return f"Until then {why}, and afterwards it does not get beyond, so the {name} is that where it comes to rest."
+    return ""
+
+
+def _falls_to_ground(setting: Setting, name: str) -> bool:
+    return _flies(setting.mechanism, name) and struck(setting.words, name) == GROUND
+
+
+def _flies(mechanism: Mechanism, name: str) -> bool:
+    """Return whether gravity alone acts on a body."""
+    return only_falls(mechanism) and mechanism.gravity[2] < 0.0 and mechanism.body[name].parent is None
+
+
+def _of_rate(setting: Setting, quantity: str, *, grows: bool, last: bool) -> str:
+    """Return why a quantity that changes in one sense is extreme at an end of a stretch; empty if it is not clear."""
+    query = setting.extreme
+    assert query is not None
+    end = "at the end" if last else "at the start"
+    if quantity in SPEEDS:
+        way, changes = ("along", "increases") if grows else ("opposite to", "decreases")
+        why = f"the acceleration of {setting.called(query.name)} has a component {way} its velocity"
+        return f"All this time {why}, so its speed {changes}, and its {query.functional} is that {end}."
+    if quantity not in CHANGES:
+        return ""
+    who = setting.called(query.name) if quantity != "distance" else ""
+    why = CHANGES[quantity][0 if grows else 1].format(who=who)
+    return f"All this time {why}, so the {query.functional} is that {end}."
+
+
+def tell_reason(setting: Setting, book: Book, goal: str) -> None:
+    """Write why the value at an end of a stretch, which is written already, is the extreme one.
+
+    If the text gives that value, nothing else is needed.
+    """
+    if setting.is_given(goal):
+        book.rewrite(0, ())
+    step = book.open("extreme")
+    step.rest_on(goal)
+    step.say(reason(setting))
+    step.close()

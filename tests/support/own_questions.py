@@ -1,0 +1,28 @@
+"""Worked solutions of questions that a person puts in parts about the scenes in `tests/data`."""
+
+from pathlib import Path
+
+import pytest
+
+import sim2reason
+from sim2reason.datasets.solve import SolvedProblem
+from sim2reason.solutions.checking import recompute
+from sim2reason.solutions.data import as_data
+from sim2reason.solutions.writing.unit_latex import latex
+from sim2reason.testing.solutions.faults import faults
+from sim2reason.testing.solutions.reading import read
+
+DATA = Path(__file__).parent.parent / "data"
+G = 9.8  # m/s², in all of these scenes but those on other planets
+
+
+def solved(name: str, find: str, when: str = "", of: str = "") -> SolvedProblem:
+    """Return a problem whose solution is sound and leads to the answer from the motion."""
+    found = sim2reason.solve(next(DATA.glob(f"*_scenes/{name}.yaml")), find=find, when=when, of=of)
+    assert found.answer is not None
+    assert found.solution.answer == pytest.approx(found.answer, rel=1e-9), found.reason
+    assert found.solution.unit == latex(found.unit)
+    assert not faults(found.solution, found.answer, 1e-6)
+    assert not read(found.solution.text).broken
+    assert recompute(as_data(found.solution)).agrees(found.answer, 1e-6)
+    return found
