@@ -145,7 +145,7 @@ FARTHEST = 4.0  # m, on a movable board, box or wedge
 
 
 class Slide(Filter):
-    """Filter for motions in which a body slides more than `FARTHEST` on a movable body before the moment.
+    """Filter for motions in which a body slides more than 4 m on a movable body before the moment.
 
     Fixed planes have no end.
     """

@@ -1,4 +1,4 @@
-"""What happens beside the updates of a step that could not be filled."""
+"""Callbacks of the trainer between updates, for incomplete batches and the end of the stream."""
 
 # transformers is an extra and ships no types to an environment without it:
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUntypedBaseClass=false

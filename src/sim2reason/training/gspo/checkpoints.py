@@ -1,4 +1,4 @@
-"""What a checkpoint needs beyond transformers': the cursor of the prompts, which also says that it is whole."""
+"""Checkpoints of a run: the cursor of the prompt stream, whose file marks a checkpoint as complete."""
 
 import shutil
 from pathlib import Path
