@@ -1,4 +1,4 @@
-"""Files that are there whole or not at all, checksums, and the locks of a folder."""
+"""Atomic writing of files, checksums, and locks of folders."""
 
 import fcntl
 import hashlib
@@ -16,10 +16,10 @@ FOLDER = ".sim2reason"
 
 
 def put(path: Path, write: Callable[[Path], object], scratch: Path) -> None:
-    """Let `write` fill a temporary file in `scratch`, then give it its name.
+    """Write a file atomically: `write` fills a temporary file in `scratch`, which is then renamed to `path`.
 
-    A kill leaves the old file, the new one or none. OSError names the file that could not be written; no error leaves
-    anything half done.
+    If the process is killed, the old file, the new one or none exists. OSError names the file that could not be
+    written; errors leave no partial file.
     """
     temporary = scratch / f"{path.name}.{os.getpid()}{TEMPORARY}"
     try:
@@ -36,19 +36,19 @@ def put(path: Path, write: Callable[[Path], object], scratch: Path) -> None:
 
 
 def put_text(path: Path, text: str, scratch: Path) -> None:
-    """Put a text file."""
+    """Write a text file atomically."""
     put(path, lambda temporary: temporary.write_text(text, encoding="utf-8", newline="\n"), scratch)
 
 
 def sweep(scratch: Path) -> None:
-    """Remove what a kill left behind in a folder which nobody but us writes to, and nobody now."""
+    """Remove the temporary files of killed runs from a folder that no other process uses."""
     for suffix in (TEMPORARY, LOCK):
         for path in scratch.glob(f"*{suffix}"):
             path.unlink(missing_ok=True)
 
 
 def sync(path: Path) -> None:
-    """Make a file's content, or a folder's names, survive a loss of power."""
+    """Flush a file or folder to disk, so that it survives a loss of power."""
     handle = os.open(path, os.O_RDONLY)
     try:
         os.fsync(handle)
@@ -57,7 +57,7 @@ def sync(path: Path) -> None:
 
 
 def checksum(path: Path) -> str:
-    """Return the SHA-256 of a file, in hexadecimal; empty if it is not there."""
+    """Return the SHA-256 of a file, in hexadecimal; empty if the file does not exist."""
     if not path.is_file():
         return ""
     with path.open("rb") as file:
@@ -65,15 +65,15 @@ def checksum(path: Path) -> str:
 
 
 def canonical(value: object) -> str:
-    """JSON with one spelling: sorted keys, two spaces, one line feed at the end."""
+    """Return a value as canonical JSON: sorted keys, two spaces of indentation, one final line feed."""
     return json.dumps(value, indent=2, sort_keys=True, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 @contextmanager
 def locked(place: Path, *, shared: bool = False) -> Generator[None, None, None]:
-    """Keep other runs out of `place` while the block runs, or only those that share it with nobody.
+    """Lock a folder while the block runs, exclusively, or with other shared holders only.
 
-    The lock ends with the process, however it ends. DatasetError if another run has it.
+    The lock ends with the process in any case. DatasetError if another run holds it.
     """
     handle = os.open(place, os.O_RDONLY)
     try:
@@ -88,9 +88,9 @@ def locked(place: Path, *, shared: bool = False) -> Generator[None, None, None]:
 
 @contextmanager
 def working_in(place: Path) -> Generator[None, None, None]:
-    """Make a folder, and keep other runs out of it while the block runs; what is made here and stays empty goes again.
+    """Create and lock a folder while the block runs; remove it afterwards if it was created here and stays empty.
 
-    DatasetError if another run has it.
+    DatasetError if another run holds the lock.
     """
     made = [folder for folder in (place, *place.parents) if not folder.exists()]
     place.mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,4 @@
-"""Values that are worked out when they are first read, and kept."""
+"""Attributes that are computed when first read, and cached."""
 
 import functools
 from collections.abc import Callable, Hashable
@@ -8,9 +8,9 @@ T = TypeVar("T")
 
 
 class cached_property(functools.cached_property[T]):  # noqa: N801 - it stands for the one of the standard library
-    """Python's own without the lock that it takes up to 3.11 for every value, which is some 4 % of the time of an item.
+    """A `functools.cached_property` without the lock of Python 3.11 and earlier, which takes 4 % of an item's time.
 
-    Two threads may work the same value out twice, and either is kept.
+    Two threads may compute the same value twice; either result is kept.
     """
 
     __module__ = functools.__name__  # by which pydantic tells it from a field
@@ -20,7 +20,7 @@ class cached_property(functools.cached_property[T]):  # noqa: N801 - it stands f
     @overload
     def __get__(self, instance: object, owner: type[Any] | None = None) -> T: ...
     def __get__(self, instance: object, owner: type[Any] | None = None) -> "cached_property[T] | T":
-        """Return the value, which from then on is found without this."""
+        """Return the value and cache it, so that later reads bypass this method."""
         if instance is None:
             return self
         value = self.func(instance)
@@ -36,17 +36,17 @@ class Memo:
         return {}
 
     def once(self, name: Hashable, make: Callable[[], T]) -> T:
-        """Return the result kept under a name; where there is none, call `make` and keep its result."""
+        """Return the result cached under a name, after computing it with `make` if there is none."""
         found = self._known.get(name, self)
         if found is self:
             found = self._known[name] = make()
         return cast("T", found)
 
     def keep(self, name: Hashable, value: T) -> T:
-        """Keep a result under a name, in place of any that was kept before, and return it."""
+        """Store a result under a name, in place of any earlier one, and return it."""
         self._known[name] = value
         return value
 
     def knows(self, name: Hashable) -> bool:
-        """Return whether `once` has kept a result under a name."""
+        """Return whether a result is cached under a name."""
         return name in self._known

@@ -1,4 +1,4 @@
-"""The import of libraries that only some uses need."""
+"""Import of optional dependencies."""
 
 from importlib import import_module
 from typing import Any
@@ -7,7 +7,7 @@ from sim2reason.errors import MissingExtraError
 
 
 def optional(module: str, extra: str = "") -> Any:  # noqa: ANN401 - a module whose types hold only where it is installed
-    """Import a library that the core does without, and return its module.
+    """Import an optional library and return its module.
 
     Raises:
         MissingExtraError: a library is not installed; the message names the packages of the `extra` that brings it.

@@ -9,9 +9,9 @@ T = TypeVar("T")
 
 @dataclass_transform(frozen_default=True)
 def record(*, slots: bool = False, eq: bool = True) -> Callable[[type[T]], type[T]]:
-    """Make a class a data class that type checkers treat as frozen, with a hash by its fields.
+    """Return a decorator for data classes that type checkers treat as frozen, with a hash of their fields.
 
-    A frozen data class assigns each field through `object.__setattr__` and takes three times as long to create. At run
+    A frozen data class assigns each field through `object.__setattr__`, which makes creation three times slower. At run
     time nothing prevents an assignment.
     """
 
@@ -23,7 +23,7 @@ def record(*, slots: bool = False, eq: bool = True) -> Callable[[type[T]], type[
 
 
 def abridged(text: str, width: int = 60) -> str:
-    """Return a text on one line, cut to at most `width` characters of which the last is then an ellipsis."""
+    """Return a text on one line, cut to at most `width` characters with an ellipsis at the end."""
     line = " ".join(text.split())
     return line if len(line) <= width else f"{line[: width - 1]}…"
 

@@ -1,4 +1,4 @@
-"""The registries of the library, found by walking it: nobody keeps a list of them."""
+"""The registries of the library, found by importing its packages."""
 
 import inspect
 from dataclasses import fields, is_dataclass
@@ -14,7 +14,7 @@ LIBRARY = Path(__file__).parents[1]
 
 
 class Member(NamedTuple):
-    """The name of a registered member, and its summary in one line."""
+    """The name of a registered member, and a summary in one line."""
 
     name: str
     summary: str
@@ -49,7 +49,7 @@ def members(kind: str | None = None) -> dict[str, list[Member]]:
 
 
 def registries() -> dict[str, "Registry[object]"]:
-    """Return every registry by the last word of its kind; packages are imported for it, their members are not."""
+    """Return every registry by the last word of its kind, without importing the members."""
     found: dict[str, Registry[object]] = {}
     for module in walk_packages([str(LIBRARY)], "sim2reason."):
         if module.ispkg and not module.name.startswith("sim2reason.cli"):

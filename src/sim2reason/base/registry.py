@@ -9,9 +9,9 @@ from typing import Any, Generic, TypeVar
 
 from sim2reason.errors import UnknownNameError
 
-LONGEST = 80  # characters of a name, above which none is near to it
-AS_NEAR = 0.85  # of the likeness of the nearest name: what else is near
-FEW = 20  # names that a line can show
+LONGEST = 80  # characters of a name; similar names of longer ones are not searched
+AS_NEAR = 0.85  # similarity, relative to that of the most similar name, from which others are suggested too
+FEW = 20  # names that an error message lists in full
 LIBRARY = __name__.partition(".")[0]
 _further: list[tuple[str, str, "Registry[Any]"]] = []
 T = TypeVar("T")
@@ -21,17 +21,17 @@ M = TypeVar("M")
 class Registry(Mapping[str, T], Generic[T]):
     """The members of one kind, by name; filled on first use from its package and from entry points.
 
-    A third party adds members by an entry point in the group ``sim2reason.<kind>`` that names a module.
+    Third parties add members by an entry point in the group ``sim2reason.<kind>`` that names a module.
     """
 
     def __init__(
         self, kind: str, check: Callable[[str, object], None] | None = None, *, package: str | None = None
     ) -> None:
-        """`kind` names the group of entry points ``sim2reason.<kind>``; its last word is the plural that people read.
+        """Define a registry: `kind` ends with its displayed plural and names its group of entry points.
 
-        `package` is imported module by module to fill the registry; by default ``sim2reason.<kind>``.
+        The modules of `package`, by default ``sim2reason.<kind>``, are imported to fill the registry.
 
-        `check` takes the name and the member to be added, and raises for one that would do nothing.
+        `check` receives the name and the member to add, and raises an error for an invalid member.
         """
         self.package = package or f"{LIBRARY}.{kind}"
         self.kind, self.called = kind, kind.rpartition(".")[2]
@@ -40,7 +40,7 @@ class Registry(Mapping[str, T], Generic[T]):
         self._filled = self._ordered = False
 
     def add(self, name: str, member: M) -> M:
-        """Enter `member` under `name`; the same name twice is a programmer's error (ValueError)."""
+        """Register `member` under `name`; ValueError if the name is already taken."""
         known = self._members.get(name)
         if known is not None and _origin(known) != _origin(member):
             message = f"{self.kind}: {name!r} is registered twice, by {_origin(known)} and {_origin(member)}"
@@ -55,11 +55,11 @@ class Registry(Mapping[str, T], Generic[T]):
         return member
 
     def has_added(self, name: str) -> bool:
-        """Return whether a member has been added by now, without filling the registry."""
+        """Return whether a member is already registered, without filling the registry."""
         return name in self._members
 
     def register(self, name: str) -> Callable[[M], M]:
-        """Decorate a class or function to enter it under `name`."""
+        """Return a decorator that registers a class or function under `name`."""
         return lambda member: self.add(name, member)
 
     def _fill(self) -> None:
@@ -73,7 +73,7 @@ class Registry(Mapping[str, T], Generic[T]):
             point.load()
 
     def __getitem__(self, name: str) -> T:
-        """Raise UnknownNameError, with the nearest names, for a name that is not held."""
+        """Return the member with a name; UnknownNameError, with similar names, if there is none."""
         if not self._filled:
             self._fill()
         try:
@@ -82,7 +82,7 @@ class Registry(Mapping[str, T], Generic[T]):
             raise UnknownNameError(f"no such name among {self.called}: {_shown(name)}; {self._hint(name)}") from None
 
     def _hint(self, name: object) -> str:
-        """Return what is near to an unknown name; where nothing is, all that there is, or how to see it."""
+        """Return similar names for an unknown one, or all names, or the command that lists them."""
         meant = {other: held for held, member in self._members.items() for other in getattr(member, "also", ())}
         names = [*self._members, *meant]
         near = nearest(name.lower(), names) if isinstance(name, str) else []
@@ -93,37 +93,37 @@ class Registry(Mapping[str, T], Generic[T]):
         return f"there are: {', '.join(self)}" if few else f"see: sim2reason list {self.called}"
 
     def name_of(self, value: object) -> str:
-        """Under which name the class of `value` is held; the name of the class where a program has its own."""
+        """Return the registered name of the class of `value`; the name of the class if it is not registered."""
         return next((name for name, kind in self.items() if kind is type(value)), type(value).__name__)
 
     def _all(self) -> dict[str, T]:
-        """All members in alphabetical order of their names, so that draws do not depend on the order of imports."""
+        """Return all members in alphabetical order, so that random draws do not depend on import order."""
         self._fill()
         if not self._ordered:
             self._members, self._ordered = dict(sorted(self._members.items())), True
         return self._members
 
     def __iter__(self) -> Iterator[str]:
-        """Names in alphabetical order."""
+        """Yield the names in alphabetical order."""
         return iter(self._all())
 
     def values(self) -> ValuesView[T]:
-        """Return the members in that order."""
+        """Return the members in alphabetical order of their names."""
         return self._all().values()
 
     def items(self) -> ItemsView[str, T]:
-        """Return the names with their members in that order."""
+        """Return the names and members in alphabetical order."""
         return self._all().items()
 
     def __len__(self) -> int:
-        """Return how many members there are."""
+        """Return the number of members."""
         return len(self._all())
 
 
 def further_members() -> dict[str, tuple[str, ...]]:
-    """Return the names of members from outside the library, by module, in the order in which they were added.
+    """Return the names of members from outside the library, by module, in registration order.
 
-    A process that works for a program imports these modules first.
+    A worker process imports these modules first.
     """
     found: dict[str, tuple[str, ...]] = {}
     for module, name, registry in _further:
@@ -133,7 +133,7 @@ def further_members() -> dict[str, tuple[str, ...]]:
 
 
 def nearest(name: str, names: Iterable[str], most: int = 3) -> list[str]:
-    """Return what `name` could be a slip for: the names like it, the nearest first, and none that is much farther."""
+    """Return the names most similar to `name`, the best first, at most `most` of them."""
     found = get_close_matches(name, names, n=most) if len(name) <= LONGEST else []
     return [other for other in found if _likeness(name, other) >= AS_NEAR * _likeness(name, found[0])]
 
@@ -143,7 +143,7 @@ def _likeness(name: str, other: str) -> float:
 
 
 def _shown(name: object) -> str:
-    """Return a name in quotes, or the beginning of a long one."""
+    """Return a name in quotes, shortened if long."""
     text = repr(name)
     return text if len(text) <= LONGEST else f"{text[:LONGEST]}…"
 

@@ -1,4 +1,4 @@
-"""Settings in a YAML file: read strictly, with errors that do not repeat secrets."""
+"""Settings from a YAML file: strict parsing, with errors that do not repeat secrets."""
 
 from collections.abc import Callable, Hashable, Mapping
 from pathlib import Path
@@ -17,7 +17,7 @@ T = TypeVar("T")
 
 
 def held_to(check: Callable[[T], object], value: T) -> T:
-    """The value, for a validator; what `check` raises of ours is its ValueError, and so is told with its place."""
+    """Return the value if `check` accepts it; for validators, errors of the library become ValueError."""
     try:
         check(value)
     except Sim2ReasonError as error:
@@ -26,7 +26,7 @@ def held_to(check: Callable[[T], object], value: T) -> T:
 
 
 def first_fault(error: ValidationError) -> str:
-    """Return the first fault, in one line: where, and what is wrong with it."""
+    """Return the first validation error in one line: the setting and its fault."""
     detail = error.errors(include_url=False, include_input=False)[0]
     where = ".".join(map(str, detail["loc"])) or "all of it"
     said = {"extra_forbidden": "no such setting", "missing": "is missing"}.get(detail["type"], detail["msg"])
@@ -44,9 +44,9 @@ M = TypeVar("M", bound=BaseModel)
 
 
 class _Plain(SafeLoader):
-    """No aliases, which could stand for more than fits in memory, no key twice, and no value that readers differ on.
+    """A YAML loader without aliases, duplicate keys, and values that YAML 1.1 and 1.2 read differently.
 
-    YAML 1.1 takes 012 for 10, 1:30 for 90 and *on* for true; here, as in scene files, they are refused.
+    YAML 1.1 reads 012 as 10, 1:30 as 90 and *on* as true; such values are refused, as in scene files.
     """
 
     def compose_node(self, parent: Node | None, index: Any) -> Node | None:  # noqa: ANN401 - the library's own
@@ -77,7 +77,7 @@ class _Plain(SafeLoader):
 
 
 def settings_in(path: Path) -> dict[str, object]:
-    """What a YAML file says; EvaluationError, which repeats nothing but names of settings, if it is no mapping."""
+    """Return the mapping in a YAML file; EvaluationError, without contents of the file, if it is not a mapping."""
     with path.open("rb") as file:
         content = file.read(MAX_BYTES + 1)
     if len(content) > MAX_BYTES:
@@ -95,7 +95,7 @@ def settings_in(path: Path) -> dict[str, object]:
 
 
 def of_kind(registry: Registry[type[M]], settings: Mapping[str, object], place: str, fault: Fault) -> M:
-    """Return the member that settings describe: their `kind` is its registered name, the rest are its own.
+    """Build the member that settings describe: `kind` is its registered name, the rest are its settings.
 
     Raises:
         Sim2ReasonError: of the class `fault`, a setting that is unknown, missing or makes no sense, with its place.
@@ -111,7 +111,7 @@ def of_kind(registry: Registry[type[M]], settings: Mapping[str, object], place: 
 
 
 def each_of(given: object, built: Callable[[Mapping[str, object], str], T], place: str) -> object:
-    """What is built of each mapping of a list, told its place in it; anything else as it is, to be refused later."""
+    """Return the objects built from each mapping of a list; return any other value unchanged."""
     if not isinstance(given, list):
         return given
     rows = enumerate(cast("list[object]", given))
@@ -127,7 +127,7 @@ def configuration(
     built: Callable[[dict[str, object]], T],
     fault: Fault,
 ) -> T:
-    """Return what is built of a YAML file, or of settings; `out` stands for the folder that they name.
+    """Return the object built from a YAML file or from settings; `out` overrides their output folder.
 
     Raises:
         Sim2ReasonError: of the class `fault`, a setting that is unknown, missing or makes no sense; and what `built`

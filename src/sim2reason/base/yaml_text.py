@@ -1,7 +1,7 @@
-"""The part of YAML that scene files are written in: read strictly, line by line, and written in one way.
+"""The YAML subset of scene files: strict parsing with line numbers, and canonical writing.
 
-Mappings, lists, numbers, words and quoted strings; nothing else. Anchors, tags, merges and the many spellings that
-YAML 1.1 takes for numbers, dates and truth values are refused, so that a file means the same to every reader.
+Mappings, lists, numbers, words and quoted strings only. Anchors, tags, merges and the other YAML 1.1 spellings of
+numbers, dates and booleans are refused, so that all YAML readers agree on a file.
 """
 
 import json
@@ -34,7 +34,7 @@ MAX_BYTES = 65_536
 MAX_DEPTH = 16
 MAX_NODES = 4_000
 MAX_DIGITS = 40  # the longest repr of a float has 24 characters
-WIDTH = 100  # characters; up to here a mapping of scalars is written on one line
+WIDTH = 100  # characters; a mapping of scalars up to this width is written on one line
 
 NUMBER = re.compile(r"[-+]?(?:0|[1-9][0-9]*)(\.[0-9]+)?([eE][-+]?[0-9]+)?", re.ASCII)
 """The spelling of numbers that means the same to all readers: 012 and 1:30 do not."""
@@ -47,15 +47,15 @@ _AMBIGUOUS = {"y", "n", "yes", "no", "on", "off", *TRUTH, "~", "=", "<<"}  # whe
 
 
 def shown(value: object) -> str:
-    """Return a value of a file as a message shows it: in one line, and not all of it if it is long."""
+    """Return a value in one line for an error message, shortened if long."""
     text = json.dumps(value, ensure_ascii=True, default=str)
     return text if len(text) <= 40 else f"{text[:37]}..."
 
 
 def parse(text: str, lines: Lines | None = None) -> Plain:
-    """Return what a text says, in dicts, lists and scalars; SceneError names the path, the line and the remedy.
+    """Parse a text into dicts, lists and scalars; SceneError names the path, the line and the remedy.
 
-    `lines`, if given, is filled. The limits hold before anything is built.
+    `lines`, if given, is filled with the line numbers by path. Limits are checked before any object is built.
     """
     if len(text) > MAX_BYTES or len(text.encode("utf-8", "replace")) > MAX_BYTES:
         raise SceneError("the file", f"it has more than {MAX_BYTES} bytes", "give a smaller scene")
@@ -71,7 +71,7 @@ def parse(text: str, lines: Lines | None = None) -> Plain:
 
 
 def _refusal(error: YAMLError) -> SceneError:
-    """Return what a parser complains of, with its line; libyaml may stop at a depth of its own, before any event."""
+    """Return the SceneError for a YAML syntax error, with its line."""
     mark = getattr(error, "problem_mark", None)
     place = f"line {mark.line + 1}" if mark is not None else "the file"
     problem = " ".join(str(getattr(error, "problem", None) or error).split())
@@ -85,7 +85,7 @@ def _too_deep(place: str) -> SceneError:
 
 
 class _Reader:
-    """Builds values from events, and refuses on the way."""
+    """A reader that builds values from YAML events and enforces the limits."""
 
     def __init__(self, text: str, lines: Lines | None) -> None:
         self._parser: Any = Parser(text)
@@ -94,7 +94,7 @@ class _Reader:
         self._nodes = 0
 
     def document(self) -> Plain:
-        """Return the one document of the stream."""
+        """Return the only document of the stream."""
         self._parser.get_event()
         start = self._parser.get_event()
         if isinstance(start, StreamEndEvent):
@@ -192,12 +192,12 @@ class _Reader:
 
 
 def write(value: Plain) -> str:
-    """Return a value as YAML, the same text for the same value; every reader of YAML reads it back equal."""
+    """Return a value as YAML; equal values give equal texts, and every YAML reader restores the value."""
     return "".join(f"{line}\n" for line in _block(value))
 
 
 def _block(value: Plain) -> Iterator[str]:
-    """Yield the lines of a value; collections of scalars stand on one line."""
+    """Yield the lines of a value; collections of scalars take one line."""
     flow = _flow(value)
     if flow is not None:
         yield flow
@@ -212,7 +212,7 @@ def _block(value: Plain) -> Iterator[str]:
 
 
 def _entry(head: str, member: Plain) -> Iterator[str]:
-    """Yield a key and its value: behind it, or below it; lists are not indented further."""
+    """Yield the lines of a key and its value, on the same line or below; lists are not indented further."""
     first, *rest = _block(member)
     if _flow(member) is not None:
         yield f"{head} {first}"
@@ -246,7 +246,7 @@ def _scalar_text(value: object) -> str:
 
 
 def _float_text(value: float) -> str:
-    """Return the repr, with the point that YAML 1.1 wants before an exponent."""
+    """Return the repr of a float, with the decimal point that YAML 1.1 requires before an exponent."""
     text = repr(value)
     mantissa, e, exponent = text.partition("e")
     return f"{mantissa}.0e{exponent}" if e and "." not in mantissa else text

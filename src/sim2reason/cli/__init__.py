@@ -23,10 +23,10 @@ EXIT_INPUT, EXIT_INTERRUPTED, EXIT_PIPE = 2, 130, 141
 
 
 class Commands(click.Group):
-    """A group whose members are the files beside this one, imported only when they are called."""
+    """A click group of the command files in this package, each imported only when called."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
-        """Give the names in alphabetical order."""
+        """Return the names of the commands in alphabetical order."""
         del ctx
         return sorted(path.stem.replace("_", "-") for path in HERE.glob("[a-z]*.py") if _summary(path) is not None)
 
@@ -47,13 +47,13 @@ class Commands(click.Group):
         return super().resolve_command(ctx, args)
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """List the commands by their files' first lines, importing none."""
+        """Write the list of commands from the first lines of their files, without importing them."""
         rows = [(name, _summary(HERE / f"{name.replace('-', '_')}.py") or "") for name in self.list_commands(ctx)]
         with formatter.section("Commands"):
             formatter.write_dl(rows)
 
     def invoke(self, ctx: click.Context) -> object:
-        """Run the command; a reader that went away ends it quietly."""
+        """Run the command; exit quietly if the reader of its output has closed the pipe."""
         try:
             result = super().invoke(ctx)
             sys.stdout.flush()
@@ -63,7 +63,7 @@ class Commands(click.Group):
         return result
 
     def main(self, *args: Any, **extra: Any) -> NoReturn:  # noqa: ANN401 - click's own signature
-        """Run and leave with an exit code; errors that we know become one line on stderr."""
+        """Run the command and exit with a code; known errors become one line on stderr."""
         extra["standalone_mode"] = False
         streams.prepare()
         try:
@@ -87,7 +87,7 @@ class Commands(click.Group):
 
 
 def _summary(path: Path) -> str | None:
-    """The first line of a command file's docstring; None if the file holds no command."""
+    """Return the first line of a command file's docstring; None if the file defines no command."""
     tree = ast.parse(path.read_text(encoding="utf-8"))
     if not any(isinstance(node, ast.FunctionDef) and node.name == "command" for node in tree.body):
         return None

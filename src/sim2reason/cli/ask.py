@@ -43,7 +43,7 @@ def command(scene: Path, mode: str | tuple[str, ...], items: int, seed: int, all
 
 
 def _explain(result: "AskedScene", items: int, *, all: bool) -> None:  # noqa: A002
-    """Print how many questions were found, and a table of the reasons that refused others, each in words."""
+    """Print the number of questions found, and a table of the reasons that rejected others."""
     from sim2reason.base.registries import members
 
     if result.reason:
@@ -61,7 +61,7 @@ def _explain(result: "AskedScene", items: int, *, all: bool) -> None:  # noqa: A
 
 
 def _tell(result: "AskedScene") -> None:
-    """The scene's text once, if it gives no answer away, and its questions; else whole prompts."""
+    """Print the scene's text once and the questions; whole prompts if the text reveals an answer."""
     found = list(result.found.values())
     whole = any(certified.question.unknown or certified.question.formula for certified, _ in found)
     _print("" if whole else result.text)

@@ -1,4 +1,4 @@
-"""Shell completion for the options of a question in parts, with names from the scene's file."""
+"""Shell completion for the options of a structured question, with names from the scene file."""
 
 from collections.abc import Iterable
 from contextlib import suppress
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def findable(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[str]:
-    """Return the names of findable quantities and numbers of the scene that begin with `incomplete`."""
+    """Return the names of quantities and numbers of the scene that begin with `incomplete`."""
     from sim2reason.questions.posing import findable as names
 
     del param

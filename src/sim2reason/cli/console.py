@@ -1,4 +1,4 @@
-"""What the commands say and show: tables, JSON, progress, and errors in one line."""
+"""Output of the commands: tables, JSON, progress, and errors in one line."""
 
 import json
 import sys
@@ -26,10 +26,10 @@ LONGEST_TIMER = 1e6  # s, some days: timers of systems go no further
 
 
 class Seconds(click.FloatRange):
-    """A stretch of time within bounds; click's own range lets NaN through."""
+    """A duration within bounds; unlike click's own range it rejects NaN."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:  # noqa: ANN401 - click's own signature
-        """The number that was given; click.BadParameter if it is none, or out of bounds."""
+        """Return the given number; click.BadParameter if it is invalid or out of bounds."""
         number = float(super().convert(value, param, ctx))
         if not isfinite(number):
             self.fail(f"{number} is not a finite number of seconds.", param, ctx)
@@ -37,10 +37,10 @@ class Seconds(click.FloatRange):
 
 
 class Progress(Protocol):
-    """What a long task calls as it goes on."""
+    """The callback of a long task for its progress."""
 
     def __call__(self, steps: int = 1) -> None:
-        """Move the bar by `steps`."""
+        """Advance the bar by `steps`."""
         ...
 
 
@@ -50,7 +50,7 @@ def explain(line: str | None) -> None:
 
 
 def explained(error: BaseException) -> str | None:
-    """The one line for an error that people can act on; None for a defect, which deserves its traceback."""
+    """Return one line for an error that users can act on; None for a defect, which needs its traceback."""
     notes = "".join(f"; {note}" for note in getattr(error, "__notes__", ()))
     match error:
         case KeyboardInterrupt() | click.Abort():
@@ -73,12 +73,12 @@ def explained(error: BaseException) -> str | None:
 
 
 def as_json(value: object) -> None:
-    """Print `value` for a program to read."""
+    """Print `value` as JSON."""
     click.echo(json.dumps(value, indent=2, ensure_ascii=False))
 
 
 def as_json_list(values: Iterable[object]) -> None:
-    """Print values as one list for a program to read, one after the other, as `as_json` prints a list."""
+    """Print values one after the other as a JSON list, as `as_json` prints a list."""
     count = 0
     for count, value in enumerate(values, start=1):
         click.echo(",\n" if count > 1 else "[\n", nl=False)
@@ -88,7 +88,7 @@ def as_json_list(values: Iterable[object]) -> None:
 
 
 def table(head: Sequence[str], rows: Sequence[Sequence[object]], *, err: bool = False) -> None:
-    """Print rows in aligned columns under `head`, to stdout or stderr; numbers stand to the right."""
+    """Print rows in aligned columns under `head`, to stdout or stderr; numbers are right-aligned."""
     cells = [[str(cell) for cell in row] for row in rows]
     widths = [max(len(line[i]) for line in [list(head), *cells]) for i in range(len(head))]
     right = [bool(rows) and all(isinstance(row[i], int | float) for row in rows) for i in range(len(head))]
@@ -98,7 +98,7 @@ def table(head: Sequence[str], rows: Sequence[Sequence[object]], *, err: bool = 
 
 
 def words(option: str) -> tuple[str, ...]:
-    """The words of an option that are separated by commas, each once."""
+    """Return the comma-separated words of an option, without repetitions."""
     names = tuple(dict.fromkeys(word.strip() for word in option.split(",") if word.strip()))
     if not names:
         raise click.UsageError(f"{option!r} names nothing; give names separated by commas, or all.")
@@ -161,7 +161,7 @@ class Lines:
 
 @contextmanager
 def resumable(remedy: str) -> Generator[None, None, None]:
-    """Say what to do next if the person interrupts the block."""
+    """Print how to continue if the user interrupts the block."""
     try:
         yield
     except KeyboardInterrupt as error:
@@ -170,46 +170,46 @@ def resumable(remedy: str) -> Generator[None, None, None]:
 
 
 class Bar:
-    """A progress bar that is shown once it is known how much there is to do."""
+    """A progress bar that appears once the amount of work is known."""
 
     def __init__(self, what: str) -> None:
-        """Of what there will be so much."""
+        """Store the label of the bar."""
         self._what = what
         self._shown: AbstractContextManager[Progress] | None = None
         self._move: Progress = _ignore
 
     def __enter__(self) -> Self:
-        """Itself; nothing is shown yet."""
+        """Return the bar, still hidden."""
         return self
 
     def __exit__(self, *error: object) -> None:
-        """Take it away."""
+        """Remove the bar."""
         if self._shown is not None:
             self._shown.__exit__(None, None, None)
 
     def begin(self, total: int) -> None:
-        """Show it."""
+        """Show the bar for `total` steps."""
         self._shown = progress(self._what, total)
         self._move = self._shown.__enter__()
 
     def advance(self, steps: int) -> None:
-        """Move it."""
+        """Advance the bar by `steps`."""
         self._move(steps)
 
 
 class Phases:
-    """A progress bar for each phase of some work, one after the other."""
+    """A sequence of progress bars, one for each phase of some work."""
 
     def __init__(self) -> None:
-        """None is shown before the first phase begins."""
+        """Start without a bar, until the first phase begins."""
         self._bar = Bar("")
 
     def __enter__(self) -> Self:
-        """Itself."""
+        """Return the sequence of bars."""
         return self
 
     def __exit__(self, *error: object) -> None:
-        """Take the last one away."""
+        """Remove the last bar."""
         self._bar.__exit__(*error)
 
     def begin(self, phase: str, total: int) -> None:
@@ -219,7 +219,7 @@ class Phases:
         self._bar.begin(total)
 
     def advance(self, steps: int) -> None:
-        """Move it."""
+        """Advance the current bar by `steps`."""
         self._bar.advance(steps)
 
 

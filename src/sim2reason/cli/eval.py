@@ -40,12 +40,12 @@ FOLDER = click.Path(file_okay=False, path_type=Path)
 
 
 class _WithoutItsName(click.Group):
-    """A group that takes what is no command of its own for the configuration of `run`."""
+    """A click group that treats an unknown command as the configuration of `run`."""
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """The command that is named, or `run`."""
+        """Return the named command, or `run`."""
         if args and args[0] not in self.commands:
             return super().resolve_command(ctx, [RUN, *args])
         return super().resolve_command(ctx, args)
@@ -149,7 +149,7 @@ def solvable_command(dataset: Path, policy: Path, k: int, between: str, seed: in
 
 
 def _bounds(text: str) -> tuple[float, float]:
-    """The two numbers of an option."""
+    """Return the two numbers of an option."""
     try:
         low, high = map(float, text.split(","))
     except ValueError:

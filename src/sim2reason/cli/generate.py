@@ -149,7 +149,7 @@ def _given(order: Order) -> Order:
 
 
 def _part(text: str) -> tuple[int, int]:
-    """Which part, counted from zero, of how many."""
+    """Return the index of the part, counted from zero, and the number of parts."""
     number, _, parts = text.partition("/")
     if not (number.isdecimal() and parts.isdecimal()):
         raise click.UsageError(f"--shard: {text!r} is no part; write K/N, as in 3/8.")

@@ -1,4 +1,4 @@
-"""SIGINT and SIGTERM: heard from the start to the end, and again where a library swallows what they raise."""
+"""Handling of SIGINT and SIGTERM, repeated where a library swallows the exception."""
 
 import signal
 from collections.abc import Generator
@@ -9,16 +9,16 @@ from warnings import catch_warnings, simplefilter
 
 from sim2reason.datasets.processes import SIGNALS
 
-PATIENCE = 2.0  # s, after which whoever was interrupted and goes on is interrupted again
+PATIENCE = 2.0  # s, after which an interrupt without effect is repeated
 
 
 @contextmanager
 def heard() -> Generator[None, None, None]:
     """Raise KeyboardInterrupt in the block at each SIGINT and SIGTERM, and again until the block ends.
 
-    Modules in C drop what is raised at some moments, and a run of hours would go on. From the first one on no warnings
-    are shown: libraries warn of having been interrupted. Where one of them is ignored, as SIGINT is in a job in the
-    background, it stays so.
+    C modules drop exceptions at some moments, and a run of hours would continue. After the first signal, warnings are
+    suppressed, because libraries warn of interruptions. An ignored signal, such as SIGINT in a background job, stays
+    ignored.
     """
     heeded = [number for number in SIGNALS if signal.getsignal(number) not in (signal.SIG_IGN, None)]
     if not heeded or current_thread() is not main_thread():

@@ -1,4 +1,4 @@
-"""How problems are printed for people."""
+"""Printing of problems as readable text."""
 
 from textwrap import fill, indent
 from typing import TYPE_CHECKING
@@ -12,7 +12,7 @@ WIDTH = 88
 
 
 def tell(item: "Item", *, scene: bool = False, solution: bool = False) -> None:
-    """Print a problem and its answer, and what else is asked for."""
+    """Print a problem and its answer, optionally with its scene and solution."""
     click.secho(item.id, bold=True)
     for line in item.prompt.splitlines():
         click.echo(fill(line, WIDTH, break_long_words=False, break_on_hyphens=False))

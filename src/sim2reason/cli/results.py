@@ -1,4 +1,4 @@
-"""Files that commands write: whole or not at all, and never through a link or over what is no file."""
+"""Output files of commands: written atomically, never through a link or over a special file."""
 
 import os
 import warnings
@@ -18,7 +18,7 @@ STDOUT = Path("-")
 
 
 def tell(text: str, out: Path | None) -> None:
-    """Write a text to a file, or to standard output where there is none, or a dash."""
+    """Write a text to a file, or to standard output for None or a dash."""
     if out in (None, STDOUT):
         click.echo(text, nl=False)
         return
@@ -28,10 +28,10 @@ def tell(text: str, out: Path | None) -> None:
 
 @contextmanager
 def written(out: Path) -> Generator[Path, None, None]:
-    """The path of a new file of the same ending, which becomes `out` when the block has ended well.
+    """Return a context with the path of a temporary file that becomes `out` on success.
 
-    It stands beside `out` under a name that nobody else has, so a kill loses nothing. What is no file, such as a
-    device or a pipe, is written to. OSError names `out`.
+    It is beside `out` under a unique name, so a kill loses nothing. Special files, such as devices and pipes, are
+    written directly. OSError names `out`.
     """
     if out == STDOUT:
         raise click.UsageError("-: what is written is no text for standard output; give it a file.")
@@ -53,7 +53,7 @@ def written(out: Path) -> Generator[Path, None, None]:
 
 @contextmanager
 def lines(out: Path | None) -> Generator[Callable[[str], object], None, None]:
-    """What writes a line to `out`; without one, it does nothing."""
+    """Return a context with a function that writes a line to `out`, or does nothing without one."""
     if out is None:
         yield lambda _: None
     elif out == STDOUT:
@@ -65,7 +65,7 @@ def lines(out: Path | None) -> Generator[Callable[[str], object], None, None]:
 
 @contextmanager
 def warnings_told() -> Generator[None, None, None]:
-    """Say on stderr what the block warns of, a line each."""
+    """Print the warnings of the block on stderr, one line each."""
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", FigureWarning)
         yield
@@ -74,7 +74,7 @@ def warnings_told() -> Generator[None, None, None]:
 
 
 def _new(out: Path) -> Path:
-    """An empty file beside `out` that was not there before."""
+    """Return the path of a new empty file beside `out`."""
     for number in count():
         path = out.with_name(f".sim2reason-{os.getpid()}-{number}{out.suffix}")
         with suppress(FileExistsError):
@@ -85,7 +85,7 @@ def _new(out: Path) -> Path:
 
 @contextmanager
 def _spooled(out: Path) -> Generator[Path, None, None]:
-    """A file whose content goes into a stream at the end."""
+    """Return a context with a temporary file whose content is written to a stream at the end."""
     with TemporaryDirectory() as folder:
         path = Path(folder) / f"whole{out.suffix}"
         path.touch()

@@ -1,4 +1,4 @@
-"""Work on foreign input in a process of its own, which can be killed."""
+"""Processing of untrusted input in a separate process that can be killed."""
 
 from collections.abc import Callable
 from multiprocessing.connection import Connection
@@ -12,7 +12,7 @@ R = TypeVar("R")
 
 
 def sandboxed(patience: float, function: Callable[P, R], *args: P.args, **kwargs: P.kwargs) -> R:
-    """`function(*args)`, importable and with results that can be pickled, given at most `patience` seconds.
+    """Run `function(*args)` in a separate process for at most `patience` seconds, and return its result.
 
     Raises:
         SimulationError: it took longer, or crashed its process.

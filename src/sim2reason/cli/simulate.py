@@ -122,7 +122,7 @@ def _stuck(trace: "Trace") -> SimulationError:
 
 
 def _final(trace: "Trace") -> list[Summary]:
-    """Every channel at the last instant that may be used; null where a value is not determined."""
+    """Return every channel at the last valid time; null where a value is not determined."""
     import numpy as np
 
     from sim2reason.simulation.channels import channels

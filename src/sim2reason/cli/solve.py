@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from sim2reason.solutions import Solution
 
 PARTS = ("find", "of", "when", "along", "given", "change")
-LONG = 3  # reasons, and more: a table
+LONG = 3  # reasons, from which on they are printed as a table
 EXAMPLE = """\b
 Example:
     sim2reason solve --id pulley-easy-numeric-0-4
@@ -121,7 +121,7 @@ def _tell(solved: "SolvedProblem", *, of_scene: bool) -> None:
 
 
 def _explain(found: "Solution") -> None:
-    """Print why there is no worked solution, as a table if three strategies or more were tried."""
+    """Print why there is no worked solution, as a table for three or more strategies."""
     tried = [row.partition(": ")[::2] for row in found.reason.split("; ")]
     if len(tried) < LONG:
         console.explain(f"sim2reason: no worked solution: {found.reason}")

@@ -1,4 +1,4 @@
-"""The scene that a command is about: from a file, or from standard input."""
+"""Input of the scene of a command, from a file or standard input."""
 
 import sys
 from pathlib import Path
@@ -12,7 +12,7 @@ STDIN = Path("-")
 
 
 def text(path: Path) -> str:
-    """What a scene file holds; ``-`` is standard input. SceneError if it is too large or not UTF-8."""
+    """Return the content of a scene file or, for ``-``, of standard input; SceneError if too large or not UTF-8."""
     try:
         if path == STDIN:
             return decoded(sys.stdin.buffer.read(MAX_BYTES + 1))
@@ -23,7 +23,7 @@ def text(path: Path) -> str:
 
 
 def scene(path: Path, content: str | None = None) -> Scene:
-    """The scene of a file, or of its `content` if that was read before; an error names the file too."""
+    """Return the scene of a file, or of its `content` if already read; errors name the file."""
     content = text(path) if content is None else content
     try:
         return loads(content)

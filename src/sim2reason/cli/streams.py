@@ -1,4 +1,4 @@
-"""Standard streams as a shell may leave them: closed, full, without a reader, or with names that are no text."""
+"""Standard streams that a shell left closed, full, without a reader, or with undecodable file names."""
 
 import errno
 import os
@@ -11,9 +11,9 @@ FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}
 
 
 def prepare() -> None:
-    """Open what the shell has closed, so that no file of ours takes its place and what is said there is dropped.
+    """Open closed standard streams, so that no other file takes their numbers.
 
-    Names of files need not be UTF-8; standard output says their bytes as they are.
+    File names need not be UTF-8; standard output prints their bytes unchanged.
     """
     for number, name in enumerate(("stdin", "stdout", "stderr")):
         if getattr(sys, name) is None:
@@ -36,11 +36,11 @@ def _open_null(number: int) -> None:
 
 
 def hush() -> None:
-    """Point stdout at nothing, so that Python does not complain at exit about what it could not say there."""
+    """Redirect stdout to the null device, so that Python reports no error for it at exit."""
     with suppress(UnsupportedOperation):  # a test's has no number
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def name(error: OSError) -> str:
-    """Where an error was: the file, or standard output, since whoever writes a file names it."""
+    """Return the file of an error, or *standard output* if the error names none."""
     return str(error.filename or (STDOUT if error.errno in FULL else ""))

@@ -1,4 +1,4 @@
-"""Questions about a scene that is given, each as an item: what `ask` is, in Python and as a command."""
+"""Questions about a given scene as items: the function and command `ask`."""
 
 from collections import Counter
 from collections.abc import Hashable
@@ -22,14 +22,14 @@ from sim2reason.scenes.files import SceneLike, scene_of
 from sim2reason.simulation.trace import ending
 
 QUESTIONS = 5
-TRIES = 10  # for each question that is wanted, and again for easy ones
-SAME_ANSWER = "an answer that another question has"  # as a refusal is counted
-SPARE = 2  # times the questions that are wanted: so many with their variants end the search
+TRIES = 10  # per requested question, and again for easy ones
+SAME_ANSWER = "an answer that another question has"  # name of this rejection in counts
+SPARE = 2  # times the requested questions, including variants, after which the search ends
 
 
 @dataclass
 class AskedScene:
-    """A scene's text, and the questions about it that passed every filter, each in its item."""
+    """The text of a scene, and the items of its questions that passed every filter."""
 
     text: str
     found: dict[str, tuple[CertifiedQuestion, Item]] = field(default_factory=dict[str, tuple[CertifiedQuestion, Item]])
@@ -79,9 +79,9 @@ def ask(
 
 
 def asked(scene: Scene, mode: Names, items: int, seed: int, *, unfiltered: bool = False) -> AskedScene:
-    """Return the same with the scene's text, and with what was refused; modes take turns.
+    """Return the items and text of a scene with the counts of rejections; modes alternate.
 
-    One problem with other numbers is asked again only where there are too few others.
+    A problem that differs only in its numbers is repeated only if there are too few others.
     """
     modes = modes_named(mode)
     search = QuestionSearch(eventful(motion_of(scene)).study, seed, unfiltered=unfiltered)
@@ -116,10 +116,10 @@ def asked(scene: Scene, mode: Names, items: int, seed: int, *, unfiltered: bool 
 
 
 def _answer(question: Question, item: Item) -> Hashable:
-    """Return what no two questions about a scene may have in common.
+    """Return a key, usually the answer, that no two questions about a scene may share.
 
-    By default that is the answer. Of a number that the text leaves open it is also which number. If the scene's own
-    value is the answer, as to the question which mass leads to a given speed, the query counts instead of the answer.
+    For an unknown number the key includes its address. If the scene's own value is the answer, as for the mass that
+    gives a stated speed, the key is the query.
     """
     if not question.unknown:
         return item.answer.shown

@@ -1,4 +1,4 @@
-"""Build of a dataset, new or resumed: items first, then the card, and the manifest last."""
+"""Build of a dataset, new or resumed: items first, then the card, and finally the manifest."""
 
 from collections.abc import Callable
 from contextlib import AbstractContextManager
@@ -38,7 +38,7 @@ CARD = "README.md"
 
 
 def finish(journal: Journal) -> Manifest:
-    """Write what is not there yet, the manifest last, and give it; whatever is held in memory is of one shard."""
+    """Write all missing files, with the manifest last, and return it; one shard is in memory at a time."""
     out, totals = journal.out, _Totals()
 
     def write(path: Path) -> None:
@@ -55,7 +55,7 @@ def finish(journal: Journal) -> Manifest:
 
 
 def _illustrated(journal: Journal, manifest: Manifest) -> Manifest:
-    """Write the card and its pictures, and give the manifest that knows them."""
+    """Write the card and its pictures, and return the manifest with their checksums."""
     out, config = journal.out, journal.plan.config
     shards = (shard_of(journal, number) for number in range(journal.shards))
     first = next((shard for shard in shards if shard.rows), None)
@@ -80,7 +80,7 @@ class _Totals:
         self.refused: dict[Refusal, RefusedPositions] = {kind: RefusedPositions() for kind in REFUSALS}
 
     def add(self, shard: Shard) -> None:
-        """Take one more."""
+        """Add the counts of one shard."""
         self.rows += shard.rows
         self.counts = merged([self.counts, shard.counts])
         left_out = [{each.recipe: {name: 1}} for kind, name in COUNTED.items() for each in getattr(shard, kind)]
@@ -90,7 +90,7 @@ class _Totals:
         self.refused = {kind: held.with_more(getattr(shard, kind)) for kind, held in self.refused.items()}
 
     def manifest(self, journal: Journal) -> Manifest:
-        """Return the manifest, but for checksums and seal."""
+        """Return the manifest without checksums and seal."""
         plan = journal.plan
         return Manifest(
             config=plan.config,
@@ -113,7 +113,7 @@ Part = tuple[int, int]
 
 
 class Work(TypedDict, total=False):
-    """How the work is done; nothing of it changes the result."""
+    """The options of execution, which do not affect the result."""
 
     workers: int | None
     """How many processes; by default one for each core of the place."""
@@ -130,10 +130,11 @@ class Work(TypedDict, total=False):
 
 
 def build(out: Path | str, config: Config, **work: Unpack[Work]) -> Manifest:
-    """Fill the folder `out` with the dataset of `config`, and give its manifest.
+    """Build the dataset of `config` in the folder `out`, and return its manifest.
 
-    May be interrupted at any moment: the next call makes what is missing or damaged, and ends in the same bytes,
-    whoever works and where. A dataset of fewer items and otherwise the same configuration is gone on with, too.
+    The build may be interrupted at any time: the next call makes what is missing or damaged, and produces the same
+    bytes with any number of workers on any machine. A smaller dataset with otherwise the same configuration is
+    extended.
 
     Raises:
         DatasetError: `out` holds anything else, a weight makes no sense, or `config` names other benchmarks. And if
@@ -158,11 +159,11 @@ def build(out: Path | str, config: Config, **work: Unpack[Work]) -> Manifest:
 
 
 def build_part(out: Path | str, config: Config, part: Part, **work: Unpack[Work]) -> int:
-    """Make every N-th shard of a dataset, beside other processes that make the others; `build` then ends the work.
+    """Make every N-th shard of a dataset, while other processes make the others; `build` then completes it.
 
-    `part` is this process's number, from 0, and how many there are. It gives the number of items that stand in its
-    shards, among which duplicates are not yet looked for, nor what is to take their place. DatasetError if another
-    process has the same part, or `build` is at work, too.
+    `part` is the index of this process, from 0, and the number of processes. Returns the number of items in its shards,
+    before duplicates are removed and replaced. DatasetError if another process has the same part, or `build` is
+    running.
     """
     number, parts = part
     if not 0 <= number < parts:
@@ -191,7 +192,7 @@ def unwatched(attempt: Attempt) -> None:
 
 
 def _standing(out: Path, config: Config) -> Manifest | None:
-    """The manifest of a whole dataset of this configuration, where nothing is left to do: it may be read-only."""
+    """Return the manifest of a complete dataset with this configuration, or None; the folder may be read-only."""
     if (out / FOLDER).exists() or not (out / MANIFEST).is_file():
         return None
     try:
@@ -203,7 +204,7 @@ def _standing(out: Path, config: Config) -> Manifest | None:
 
 
 def _folder(out: Path | str, config: Config) -> Path:
-    """Return the folder, made if it is not there, once the configuration makes sense."""
+    """Return the folder after validating the configuration; it is created if it does not exist."""
     if config.weights and config.maker == MAKER:
         from sim2reason.generation.request import check  # noqa: PLC0415 - it loads what else only workers need
 
@@ -214,7 +215,7 @@ def _folder(out: Path | str, config: Config) -> Path:
 
 
 def _overlap(config: Config, benchmarks: Benchmarks | None) -> FindsOverlap:
-    """Return what finds the words that a prompt shares with a benchmark."""
+    """Return the function that finds text shared between a prompt and a benchmark."""
     if config.decontaminate != (benchmarks.files if benchmarks is not None else ()):
         names = ", ".join(file.name for file in config.decontaminate)
         raise DatasetError(
@@ -224,7 +225,7 @@ def _overlap(config: Config, benchmarks: Benchmarks | None) -> FindsOverlap:
 
 
 def _workers(config: Config, work: Work) -> AbstractContextManager[Run]:
-    """Return those who shall make the items, at their place; DatasetError for a number of them that is none."""
+    """Return a context with the workers that make the items; DatasetError for an invalid number of them."""
     workers = work.get("workers")
     if workers is not None and not _counts(workers):
         raise DatasetError(f"workers: {workers!r} is no number of processes; give a whole number from 1 on, or None")

@@ -1,7 +1,7 @@
-"""The dataset card: a README.md that people read and the Hugging Face hub understands.
+"""The dataset card: a README.md in the format of the Hugging Face Hub.
 
-Its front matter is that of https://huggingface.co/docs/hub/datasets-cards: the names of sizes, tasks and licences are
-the hub's.
+The front matter follows https://huggingface.co/docs/hub/datasets-cards, with the Hub's names of sizes, tasks and
+licences.
 """
 
 import json
@@ -95,7 +95,7 @@ FIELDS = [
 
 
 def text(manifest: Manifest, examples: Sequence[Example], pictures: Collection[str]) -> str:
-    """The whole card: a function of the manifest (its `files` aside), examples, and the names of pictures beside it."""
+    """Return the whole card from the manifest (without its `files`), examples, and the names of pictures."""
     parts = _front(manifest), _body(manifest), _shown(manifest, pictures), _counts(manifest), _refused(manifest)
     lines = [line for part in parts for line in part]
     lines += [line for number, held in enumerate(examples, start=1) for line in _example(number, held, pictures)]
@@ -112,7 +112,7 @@ def _front(manifest: Manifest) -> Iterator[str]:
 
 
 def _splits(manifest: Manifest) -> list[str]:
-    """Return those that have a file; all where none has."""
+    """Return the splits with files, or all splits if none has any."""
     rows = manifest.counts.get("split", {})
     return [split for split in manifest.config.split if rows.get(split)] or [*manifest.config.split]
 
@@ -195,7 +195,7 @@ def _end(manifest: Manifest) -> Iterator[str]:
 
 
 def command(config: Config) -> str:
-    """Return the command that makes a dataset of a configuration again."""
+    """Return the command that regenerates a dataset of a configuration."""
     options = [
         f"--items {config.items} --recipe {','.join(config.recipes)} --difficulty {','.join(config.difficulties)}",
         f"--mode {','.join(config.modes)} --seed {config.seed} --shard-size {config.shard}",
@@ -222,7 +222,7 @@ def _quoted(text: str) -> Iterator[str]:
 
 
 def _table(title: str, head: Sequence[str], rows: Sequence[Sequence[str]], *, folded: bool = False) -> Iterator[str]:
-    """Yield a Markdown table under its title, or folded away; nothing if there are no rows."""
+    """Yield a Markdown table under its title, or collapsed; nothing if there are no rows."""
     if not rows:
         return
     yield from ("", f"<details><summary>{title}</summary>" if folded else f"## {title}", "")
@@ -233,7 +233,7 @@ def _table(title: str, head: Sequence[str], rows: Sequence[Sequence[str]], *, fo
 
 
 def _cell(text: str) -> str:
-    """Return a text that is no markup inside a table."""
+    """Return a text escaped for a Markdown table."""
     return " ".join(text.split()).replace("|", "\\|").replace("<", "&lt;")
 
 

@@ -1,4 +1,4 @@
-"""Content of the card of a dataset: histograms, worked examples and their pictures."""
+"""Content of a dataset card: histograms, worked examples and their pictures."""
 
 import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -17,14 +17,14 @@ from sim2reason.generation.request import Request
 from sim2reason.questions.difficulty import DIFFICULTIES
 from sim2reason.questions.need import NEEDS
 
-WORDS, MOST_WORDS = 10, 500  # in a bin, and from which on all are in the last one
+WORDS, MOST_WORDS = 10, 500  # per bin, and from which on all are in the last bin
 Counted = dict[str, dict[str, int]]
 """By series, then by bin."""
 
 
 @dataclass(frozen=True)
 class Shown:
-    """One histogram of all items: its bins, and the series in which its bars are stacked."""
+    """The definition of a histogram: its bins, and the series by which its bars are stacked."""
 
     title: str
     axis: str
@@ -74,7 +74,7 @@ SHOWN: dict[str, Shown] = {
 
 
 def counted(items: Iterable[Item]) -> dict[str, Counted]:
-    """Return all histograms of some items."""
+    """Return the counts of all histograms for some items."""
     found: dict[str, Counted] = {name: {} for name in SHOWN}
     for item in items:
         for name, shown in SHOWN.items():
@@ -84,7 +84,7 @@ def counted(items: Iterable[Item]) -> dict[str, Counted]:
 
 
 def histogram(name: str, counts: Mapping[str, Mapping[str, int]]) -> Histogram:
-    """Return what is drawn of the counts of one histogram."""
+    """Return the histogram for drawing from its counts."""
     shown, found = SHOWN[name], {place for series in counts.values() for place in series}
     numeric = all(place.lstrip("-").isdecimal() for place in found)
     if numeric and found:
@@ -108,7 +108,7 @@ VARIED = "recipe", "kind", "difficulty", "mode", "shape"
 
 
 class Example(NamedTuple):
-    """A problem that a card shows."""
+    """A problem shown on a card."""
 
     item: Item
     solution: str
@@ -118,7 +118,7 @@ class Example(NamedTuple):
 
 
 def chosen(items: Iterable[Item]) -> list[Item]:
-    """Return a few of some items that differ as much as they can, the first ones if in doubt."""
+    """Return a few items that differ in as many properties as possible; ties go to the first."""
     waiting, found = list(items), list[Item]()
     while waiting and len(found) < EXAMPLES:
         seen = {name: [getattr(item, name) for item in found] for name in VARIED}
@@ -129,7 +129,7 @@ def chosen(items: Iterable[Item]) -> list[Item]:
 
 
 def example(item: Item, config: Config) -> Example:
-    """Return an item of a dataset with its solution and its figure, which calls things as the prompt does."""
+    """Return an item with its solution and a figure that uses the names of the prompt."""
     try:
         solution, picture = _made_again(item) if config.maker == MAKER else ("", None)
     except Sim2ReasonError as error:  # a version that fits, but a scene that can't be told or drawn
@@ -140,7 +140,7 @@ def example(item: Item, config: Config) -> Example:
 
 
 def _made_again(item: Item) -> tuple[str, bytes | None]:
-    """The worked solution and the figure of an item of the library's own maker: both need more than items keep."""
+    """Return the worked solution and figure of an item after regenerating it, since items do not store them."""
     from sim2reason.figures import canvas, drawing  # noqa: PLC0415 - the same
     from sim2reason.generation.certified import recorded, worked  # noqa: PLC0415 - the same
     from sim2reason.generation.item_search import ItemSearch  # noqa: PLC0415 - it loads what else only workers need
@@ -166,17 +166,17 @@ PACKAGE = "matplotlib"
 
 
 def of_histogram(name: str) -> str:
-    """Return the file of a histogram."""
+    """Return the file name of a histogram."""
     return f"{FIGURES}/{name}.png"
 
 
 def of_example(number: int) -> str:
-    """Return the file of an example's figure, counted from 1."""
+    """Return the file name of an example's figure, numbered from 1."""
     return f"{FIGURES}/example-{number}.png"
 
 
 def drawn_by() -> str:
-    """Return the package that draws, with its version, which decides about the bytes; empty without one."""
+    """Return the plotting package with its version, which affects the bytes; empty if not installed."""
     try:
         return f"{PACKAGE} {version(PACKAGE)}"
     except PackageNotFoundError:
@@ -186,7 +186,7 @@ def drawn_by() -> str:
 def put_pictures(
     out: Path, scratch: Path, histograms: Mapping[str, Counted], examples: Sequence[Example]
 ) -> tuple[str, ...]:
-    """Write the pictures of a dataset, and give their names; none where no package is there to draw."""
+    """Write the pictures of a dataset and return their names; none without a plotting package."""
     try:
         found = dict(_pictures(histograms, examples))
     except MissingExtraError:
@@ -206,7 +206,7 @@ def _pictures(histograms: Mapping[str, Counted], examples: Sequence[Example]) ->
 
 
 def remove_pictures(out: Path, files: Mapping[str, str]) -> None:
-    """Remove those that a manifest lists among its `files`, if they still are as it says."""
+    """Remove the pictures in a manifest's `files` that are unchanged."""
     ours = [name for name in files if Path(name).parent == Path(FIGURES) and checksum(out / name) == files[name]]
     for name in ours:
         (out / name).unlink()

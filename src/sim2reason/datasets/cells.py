@@ -1,4 +1,4 @@
-"""The table mode × kind × recipe of a dataset: what was asked for by the weights, and what was kept."""
+"""The table of modes, kinds and recipes of a dataset: numbers of requests and of kept items."""
 
 from collections.abc import Iterable, Iterator
 from math import ceil, log
@@ -12,11 +12,11 @@ FALSE_ALARM = 1e-3
 
 
 class Cell(Record):
-    """One mode, kind and recipe.
+    """The counts for one mode, kind and recipe.
 
-    `asked` counts the requests that the weights gave this kind, among those that their scenes offer and of which no
-    textbook has the answers ready (`few laws`); `kept` the items, those included that took the place of a kind whose
-    questions were all refused. An item with several parts counts for each kind that it asks.
+    `asked` counts the requests that the weights assigned to this kind, among kinds that the scenes offer and that are
+    not rejected as textbook problems (`few laws`); `kept` counts the items, including those that replaced a kind whose
+    questions were all rejected. An item with several parts counts for each of its kinds.
     """
 
     mode: str
@@ -31,12 +31,12 @@ Key = tuple[str, str, str]
 
 
 def table(asked: Iterable[tuple[Key, int]], kept: Iterable[Key]) -> tuple[Cell, ...]:
-    """Return all cells that were asked for or hold an item, in alphabetical order."""
+    """Return all cells with requests or items, in alphabetical order."""
     return _summed([*((key, number, 0) for key, number in asked), *((key, 0, 1) for key in kept)])
 
 
 def together(tables: Iterable[Iterable[Cell]]) -> tuple[Cell, ...]:
-    """Return the table of several datasets, or parts of one, as a whole."""
+    """Return the sum of several tables."""
     cells = (cell for table in tables for cell in table)
     return _summed(((cell.mode, cell.kind, cell.recipe), cell.asked, cell.kept) for cell in cells)
 
@@ -53,16 +53,16 @@ def _summed(found: Iterable[tuple[Key, int, int]]) -> tuple[Cell, ...]:
 
 
 def enough(cells: int) -> int:
-    """Return how often a cell must be asked for, so that it is no accident if it stays empty.
+    """Return the number of requests from which an empty cell is not an accident.
 
-    If each request is kept with the probability p at least, n of them give nothing with at most (1 − p)^n, the binomial
-    distribution's P(0). Over all cells together that is to be at most `FALSE_ALARM`, by Bonferroni's inequality.
+    If each request is kept with probability at least p, all n fail with probability at most (1 − p)^n, the binomial
+    distribution's P(0). The sum over all cells is limited to `FALSE_ALARM`, by Bonferroni's inequality.
     """
     return ceil(log(FALSE_ALARM / max(cells, 1)) / log(1.0 - LEAST_KEPT))
 
 
 def empty(cells: Iterable[Cell]) -> Iterator[str]:
-    """Yield a line for each cell that is empty, though it was asked for more often than accident can explain."""
+    """Yield a line for each empty cell with too many requests to be an accident."""
     found = tuple(cells)
     for cell in found:
         if cell.kept == 0 and cell.asked >= enough(len(found)):

@@ -23,20 +23,20 @@ from sim2reason.generation.item import Record
 
 
 LARGEST_FILE = 2**30  # bytes
-LARGEST_PART = 2**25  # bytes of what is read at once: a whole .json, a line of text or .jsonl, a group of Parquet rows
+LARGEST_PART = 2**25  # bytes read at once: a whole .json, a line of text or .jsonl, a group of Parquet rows
 ROWS = 100  # of a Parquet file, read at once
-DEEPEST = 100  # levels of lists and objects in one item
+DEEPEST = 100  # levels of nested lists and objects in one item
 
 
 class BenchmarkFile(Record):
-    """What a dataset says of a file that it shares no text with."""
+    """The record of a benchmark file with which a dataset shares no text."""
 
     name: str
     sha256: str
 
 
 def described(path: Path) -> BenchmarkFile:
-    """The name of a file and what is in it, without its folder; DatasetError if it can't be one of a benchmark."""
+    """Return the record of a benchmark file, without its folder; DatasetError if the file is unsuitable."""
     if not path.is_file():
         raise DatasetError(f"{path}: no such file; give the file of a benchmark, a {' or '.join(READERS)}")
     if path.suffix.lower() not in READERS:
@@ -51,7 +51,7 @@ def described(path: Path) -> BenchmarkFile:
 
 
 def texts(path: Path) -> Iterator[list[str]]:
-    """For each item of a file, all texts in it; DatasetError if it can't be read, or is too large at one place."""
+    """Yield the texts of each item of a file; DatasetError if the file is unreadable or an item is too large."""
     try:
         for value in READERS[path.suffix.lower()](path):
             yield list(_strings(value))
@@ -63,7 +63,7 @@ def texts(path: Path) -> Iterator[list[str]]:
 
 
 def _strings(value: object) -> Iterator[str]:
-    """Yield all texts in a value, in order; no recursion, which a hostile file could exhaust."""
+    """Yield all texts in a value, in order, without recursion, which a malicious file could exhaust."""
     waiting = [(value, 0)]
     while waiting:
         found, depth = waiting.pop()
@@ -83,7 +83,7 @@ def _json(path: Path) -> Iterable[object]:
 
 
 def _members(value: object) -> Iterable[object]:
-    """Return the items of what a file holds: those of a list, or of the lists in an object that holds nothing else."""
+    """Return the items in a JSON value: those of a list, or of the lists in an object with only lists."""
     if isinstance(value, list):
         return cast("list[object]", value)
     if isinstance(value, dict) and value and all(isinstance(part, list | dict) for part in value.values()):
@@ -104,7 +104,7 @@ def _json_lines(path: Path) -> Iterator[object]:
 
 
 def _paragraphs(path: Path) -> Iterator[object]:
-    """Return the lines between blank ones; a long paragraph is one item, though it need not be held at once."""
+    """Yield the lines between blank lines; a long paragraph is one item, without being in memory at once."""
     grouped = groupby(_lines(path), key=lambda line: bool(line.strip()))
     return ("".join(_bounded(lines)) for filled, lines in grouped if filled)
 
@@ -119,7 +119,7 @@ def _bounded(lines: Iterable[str]) -> Iterator[str]:
 
 
 def _parquet(path: Path) -> Iterator[object]:
-    """Yield the rows, without columns that hold no text."""
+    """Yield the rows without columns that contain no text."""
     import pyarrow as pa  # noqa: PLC0415 - heavy, and few files are of this kind
     import pyarrow.parquet as pq  # noqa: PLC0415 - the same
 
@@ -152,7 +152,7 @@ A quarter of what problems say are numbers and symbols, so ten words are about t
 problems, runs of seven words in 1300 from olympiads and entrance exams occurred in 112, of eight in 40 (all of them
 *uniform thin rod of length and mass kg* and its like), of nine or more in none.
 """
-MOST = 20_000_000  # words of all files together: 16 bytes each while they are read
+MOST = 20_000_000  # words of all files together, 16 bytes each while they are read
 
 _MARKUP = re.compile(r"\\[a-zA-Z]+|[{}$^_~]")
 _WORD = re.compile(r"[^\W\d_]{2,}")
@@ -170,15 +170,15 @@ class Overlap(NamedTuple):
 
     @property
     def told(self) -> str:
-        """In words."""
+        """Return the overlap as a message."""
         return f"shares {self.words!r} with item {self.item} of {self.file}"
 
 
 class Benchmarks:
-    """Files of benchmarks, with all runs of words in them."""
+    """The runs of words in files of benchmarks."""
 
     def __init__(self, paths: Sequence[Path | str], run: int = RUN) -> None:
-        """Read the files; DatasetError names one that can't be read, holds no text, or is too large."""
+        """Read the files; DatasetError for an unreadable, empty or too large file."""
         self._run = run
         self.files: tuple[BenchmarkFile, ...] = tuple(described(Path(path)) for path in paths)
         """In the order in which they were given."""
@@ -189,7 +189,7 @@ class Benchmarks:
         self._hashes, self._places = hashes[order], places[order]
 
     def _read(self, paths: Sequence[Path]) -> Iterator[tuple[Hashes, NDArray[np.int32]]]:
-        """Yield the runs of each text, and for each of them its item."""
+        """Yield the hashed runs of each text, with the item numbers."""
         total = 0
         for path in paths:
             some = False
@@ -205,7 +205,7 @@ class Benchmarks:
                 raise DatasetError(f"{path}: holds no text; give the file that holds the benchmark's questions")
 
     def overlap(self, text: str) -> Overlap | None:
-        """Return the first run of words that a text has in common with a benchmark, and the first item that has it."""
+        """Return the first run of words that a text shares with a benchmark, and its first item; else None."""
         own = words(text)
         runs = _runs(own, self._run)
         places = np.searchsorted(self._hashes, runs)
@@ -216,13 +216,13 @@ class Benchmarks:
 
 
 def words(text: str) -> list[str]:
-    """Return the words of a text in small letters, without numbers and single letters."""
+    """Return the words of a text in lower case, without numbers and single letters."""
     plain = _MARKUP.sub(" ", unicodedata.normalize("NFKC", text)).casefold()
     return _WORD.findall(plain)
 
 
 def _runs(found: Sequence[str], run: int) -> Hashes:
-    """Return a hash of each run of words, in order."""
+    """Return a hash of each run of `run` words, in order."""
     hashes = np.fromiter(map(_word_hash, found), dtype=np.uint64, count=len(found))
     total = np.zeros(max(0, len(found) - run + 1), dtype=np.uint64)
     for place in range(run if len(total) else 0):

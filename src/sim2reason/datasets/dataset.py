@@ -1,4 +1,4 @@
-"""A finished dataset, opened: its items one after the other, any one by its id, or a few from all over it."""
+"""Access to a finished dataset: iteration, lookup by id, and samples."""
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import islice
@@ -17,8 +17,8 @@ from sim2reason.datasets.store import Row
 from sim2reason.errors import DatasetError, DrawError
 from sim2reason.generation.item import Item
 
-LONGEST_NAME = 80  # characters shown of an id that nobody knows
-STRIDE = 7919  # a prime, in step with no number of recipes and difficulties
+LONGEST_NAME = 80  # characters of an unknown id that are shown
+STRIDE = 7919  # a prime, so that samples do not correlate with the cycle of recipes and difficulties
 Wanted = Mapping[str, Collection[str]]
 """The texts that a column may hold, by its name: ``{"recipe": ["pulley"], "asked.quantity": ["speed"]}``."""
 
@@ -276,12 +276,12 @@ class Dataset:
 
 
 def shortened(name: object) -> str:
-    """Return an id in quotes, or the beginning of a very long one; anything else as Python shows it."""
+    """Return an id in quotes, shortened if very long; the repr of any other object."""
     text = str(name)
     return repr(name) if len(text) <= LONGEST_NAME else repr(f"{text[:LONGEST_NAME]}…")
 
 
 def _value(row: Row, name: str) -> object:
-    """Return what a column of a row holds; a dot leads further in."""
+    """Return the value of a column of a row; a dot separates nested names."""
     head, _, rest = name.partition(".")
     return _value(row[head], rest) if rest else row[head]

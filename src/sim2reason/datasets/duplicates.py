@@ -1,4 +1,4 @@
-"""Duplicates in a dataset: equal problems, and variants whose numbers lie too close together."""
+"""Duplicates in a dataset: equal problems, and variants whose numbers are too close."""
 
 from collections.abc import Callable, Iterator, Sequence
 from hashlib import blake2b
@@ -17,20 +17,20 @@ from sim2reason.scenes.files import load
 Logarithms = NDArray[np.float32]
 """Of the sizes of numbers: ratios are differences, to six digits."""
 BLOCK = 500_000  # items whose cells are computed at once
-ROUNDING = 1e-5  # by which cells are wider than they need be
-_MIX = 0x9E3779B97F4A7C15  # odd, so that no bit of a cell's number is lost
+ROUNDING = 1e-5  # relative widening of cells against rounding errors
+_MIX = 0x9E3779B97F4A7C15  # odd, so that multiplication is reversible
 _AGAIN = 0xBF58476D1CE4E5B9
 
 
 class Variant(NamedTuple):
-    """A problem up to the sizes of its numbers, and their logarithms."""
+    """A problem without the magnitudes of its numbers, and their logarithms."""
 
     problem: str
     logarithms: tuple[float, ...]
 
 
 class Variants(NamedTuple):
-    """Items of problems that more than one item has, in order of their positions."""
+    """The items of problems with several variants, in order of position."""
 
     positions: NDArray[np.int64]
     problems: NDArray[np.uint64]
@@ -41,7 +41,7 @@ class Variants(NamedTuple):
 
 
 def variant(item: Item) -> Variant:
-    """Return what an item is a variant of, and by which numbers."""
+    """Return the problem that an item is a variant of, and the logarithms of its numbers."""
     if item.answer.formula is not None and not item.parts:
         return Variant(problem(item), ())
     values = *_stated(item), *_asked(item)
@@ -50,7 +50,7 @@ def variant(item: Item) -> Variant:
 
 
 def _asked(item: Item) -> list[float | None]:
-    """Return the numbers of the question and the answer; of several parts, in the order of what they ask."""
+    """Return the numbers of the question and the answer; for several parts, in a canonical order."""
     if not item.parts:
         return [item.asked.time, item.asked.given, item.answer.value]
     pairs = zip(item.parts, item.answer.parts, strict=True)
@@ -59,7 +59,7 @@ def _asked(item: Item) -> list[float | None]:
 
 
 def _stated(item: Item) -> list[float | None]:
-    """Return the numbers of the scene that the text says; all of them where the scene is none that can be read."""
+    """Return the scene's numbers that the text states; all numbers if the scene cannot be read."""
     try:
         parameters = load(item.scene).parameters
     except SceneError:
@@ -69,12 +69,12 @@ def _stated(item: Item) -> list[float | None]:
 
 
 def hashed(variant: Variant) -> int:
-    """Return the name of its problem, in 64 bits."""
+    """Return the 64-bit hash of a variant's problem."""
     return int.from_bytes(blake2b(variant.problem.encode(), digest_size=8, person=b"variant").digest(), "little")
 
 
 def too_close(found: Variants, distance: float) -> Iterator[tuple[int, int]]:
-    """Yield the positions of items that come too close to one before them, each with the first such one that stays."""
+    """Yield the positions of items too close to an earlier kept one, each with that item's position."""
     starts = np.concatenate([[0], np.cumsum(found.counts, dtype=np.int64)])
     limit = np.float32(log1p(distance))
     stay: dict[int, list[int]] = {}
@@ -88,7 +88,7 @@ def too_close(found: Variants, distance: float) -> Iterator[tuple[int, int]]:
 
 
 def _first(found: Variants, starts: NDArray[np.int64], row: int, others: list[int], limit: np.float32) -> int | None:
-    """Return the first of some items whose numbers are all within the limit."""
+    """Return the first of some items whose numbers all differ by less than the limit."""
     rows = np.array(others, dtype=np.int64)
     rows = rows[found.problems[rows] == found.problems[row]]  # two problems may meet in a cell by chance
     places = np.arange(int(found.counts[row]))
@@ -98,11 +98,11 @@ def _first(found: Variants, starts: NDArray[np.int64], row: int, others: list[in
 
 
 def _neighbours(found: Variants, starts: NDArray[np.int64], limit: float) -> Iterator[tuple[int, list[int]]]:
-    """Items that share a cell with another, in order, each with those of its cells that are shared.
+    """Yield items that share a cell with others, in order, with the items of their shared cells.
 
-    For d numbers there are d + 1 grids with cells of d + 1 times the limit, each moved by the limit from the last one.
-    Of all their edges along one axis at most one lies between two numbers within the limit, so such items share a cell
-    in one of the grids at least (T. M. Chan, Approximate nearest neighbor queries revisited, 1998).
+    For d numbers there are d + 1 grids with cells of d + 1 times the limit, each shifted by the limit from the previous
+    one. Along each axis at most one grid has an edge between two numbers within the limit, so such items share a cell
+    in at least one grid (T. M. Chan, Approximate nearest neighbor queries revisited, 1998).
     """
     rows: list[NDArray[np.int64]] = []
     shared: list[NDArray[np.uint64]] = []
@@ -127,7 +127,7 @@ def _neighbours(found: Variants, starts: NDArray[np.int64], limit: float) -> Ite
 def _cells(
     found: Variants, starts: NDArray[np.int64], rows: NDArray[np.int64], grid: int, limit: float
 ) -> NDArray[np.uint64]:
-    """Return the names of the cells of some items in one grid, which hang on the problem as well."""
+    """Return the hashes of the cells of some items in one grid; they depend on the problem too."""
     counts = found.counts[rows]
     ends = np.cumsum(counts, dtype=np.int64)
     place = np.arange(ends[-1] if len(ends) else 0) - np.repeat(ends - counts, counts)  # of a number among its item's
@@ -142,13 +142,13 @@ def _cells(
 
 
 def twice(values: NDArray[np.uint64]) -> NDArray[np.uint64]:
-    """Return what occurs more than once, in order; sorts `values`."""
+    """Return the sorted values that occur more than once; `values` is sorted in place."""
     values.sort()
     return np.unique(values[1:][values[1:] == values[:-1]])
 
 
 def holds(ordered: NDArray[np.uint64], wanted: NDArray[np.uint64]) -> NDArray[np.bool_]:
-    """Return which of the wanted values are among some in order."""
+    """Return, for each wanted value, whether a sorted array contains it."""
     if not len(ordered):
         return np.zeros(len(wanted), dtype=np.bool_)
     places = np.minimum(np.searchsorted(ordered, wanted), len(ordered) - 1)
@@ -158,12 +158,12 @@ def holds(ordered: NDArray[np.uint64], wanted: NDArray[np.uint64]) -> NDArray[np
 Table = NDArray[np.uint64]
 POSITION, PROBLEM, COUNT, OWN = 0, 1, 2, 3
 """Columns of a table: the position, the problem that the item is a variant of, how many numbers it has, its marks."""
-HELD = 2_000_000  # numbers of variants that are compared at once, in some 200 MB, if no problem has more
+HELD = 2_000_000  # numbers of variants compared at once, in some 200 MB
 NOBODY = -1
 
 
 class Marks(NamedTuple):
-    """What is kept of the items of a shard."""
+    """The hashes and numbers of a shard's items that the search for duplicates needs."""
 
     table: Table
     """A row for each item, see `POSITION`."""
@@ -172,7 +172,7 @@ class Marks(NamedTuple):
 
 
 class Double(NamedTuple):
-    """An item that is left out."""
+    """An item removed as a duplicate or variant of an earlier one."""
 
     position: int
     first: int
@@ -188,7 +188,7 @@ Others = NDArray[np.int64]
 
 
 def marks(items: Sequence[tuple[int, Item]], *, scenes: bool) -> Marks:
-    """Return those of items at their positions; with one of the whole scene if no two may share it."""
+    """Return the marks of items at their positions; with hashes of whole scenes if no two may share one."""
     columns = OWN + (3 if scenes else 2)
     found = [variant(item) for _, item in items]
     rows = [
@@ -200,10 +200,10 @@ def marks(items: Sequence[tuple[int, Item]], *, scenes: bool) -> Marks:
 
 
 def doubles(read: Read, shards: int, items: int, distance: float) -> Iterator[tuple[int, list[Double]]]:
-    """For each of so many shards that has some, what is to be left out of as many positions as there are `items`.
+    """Yield the duplicates to remove, shard by shard.
 
-    An item goes if one before it that stays is the same, or closer than `distance`. So the pass gives the same if it is
-    repeated over shards of which some went through it already, and for the first shards of a larger dataset.
+    An item is removed if an earlier kept item is equal, or closer than `distance`. Hence the result is the same if the
+    pass is repeated on partly processed shards, and for the first shards of a larger dataset.
     """
     alike = same = np.full(items, NOBODY, dtype=np.int64)
     while True:  # each round is right for a longer beginning of all positions; the second one nearly always ends it
@@ -220,7 +220,7 @@ def doubles(read: Read, shards: int, items: int, distance: float) -> Iterator[tu
 
 
 def _same(read: Read, shards: int, alike: Others) -> Others:
-    """For each item that is the same as one before it which stays, that one."""
+    """Return, for each item, the position of an equal earlier one that is kept."""
     columns = range(OWN, read(0).table.shape[1]) if shards else range(0)
     repeated = [_repeated(read, shards, column) for column in columns]
     first = [np.full(len(values), NOBODY, dtype=np.int64) for values in repeated]
@@ -240,7 +240,7 @@ def _same(read: Read, shards: int, alike: Others) -> Others:
 
 
 def _alike(read: Read, shards: int, distance: float, same: Others) -> Others:
-    """For each item that is too close to one before it which stays, that one; what is the same as another is gone."""
+    """Return, for each item, the position of an earlier kept variant that is too close."""
     problems = _repeated(read, shards, PROBLEM)
     alike = np.full(len(same), NOBODY, dtype=np.int64)
     for begin, end in _stretches(read, shards, problems):
@@ -250,7 +250,7 @@ def _alike(read: Read, shards: int, distance: float, same: Others) -> Others:
 
 
 def _stretches(read: Read, shards: int, problems: Table) -> Iterator[tuple[int, int]]:
-    """Cut problems into stretches whose variants may be held in memory, as first and last one and behind it."""
+    """Yield ranges of problems (first, last + 1) whose variants fit into memory together."""
     numbers = np.zeros(len(problems), dtype=np.int64)
     for number in range(shards):
         table = read(number).table
@@ -262,7 +262,7 @@ def _stretches(read: Read, shards: int, problems: Table) -> Iterator[tuple[int, 
 
 
 def _variants(read: Read, shards: int, problems: Table, same: Others) -> Variants:
-    """Return the variants of some problems that may stay."""
+    """Return the variants of some problems, without duplicates."""
     tables: list[Table] = []
     held: list[Logarithms] = []
     for number in range(shards):
@@ -276,7 +276,7 @@ def _variants(read: Read, shards: int, problems: Table, same: Others) -> Variant
 
 
 def _keys(item: Item) -> tuple[str, str, str]:
-    """Return its words; its scene together with its question; its scene."""
+    """Return the text of an item, its scene with its question, and its scene."""
     asked = item.asked.model_dump_json()
     words = " ".join(item.prompt.split()).casefold()
     return words, f"{item.mode} {item.kind} {asked}\n{item.scene}", item.scene
@@ -287,5 +287,5 @@ def _hash(key: str) -> int:
 
 
 def _repeated(read: Read, shards: int, column: int) -> Table:
-    """Return the values of a column that more than one item has, in order."""
+    """Return the sorted values of a column that several items share."""
     return twice(np.concatenate([np.zeros(0, np.uint64), *(read(n).table[:, column] for n in range(shards))]))

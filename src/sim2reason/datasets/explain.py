@@ -1,4 +1,4 @@
-"""All about one problem of a dataset: where it comes from, what vouches for it, and why it was kept."""
+"""Explanation of one problem of a dataset: its origin, its certificate, and the verdicts of all filters."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
@@ -37,7 +37,7 @@ class Explanation(dict[str, tuple[str, ...]]):
 
 
 def told(lines: Iterable[str]) -> str:
-    """Return the lines below a title."""
+    """Return the lines of a section as text."""
     return indent("\n".join(lines), "  ")
 
 
@@ -51,7 +51,7 @@ def explain(
 ) -> Explanation:
     """Explain where a problem comes from, why every filter kept it, and which questions were refused before it.
 
-    The problem is made again from its id, so that the explanation does not rely on a file.
+    The problem is regenerated from its id, so that the explanation does not rely on a file.
 
     Args:
         dataset: A dataset, or its folder, to compare the problem with. None makes the problem from its id alone.
@@ -144,7 +144,7 @@ def _sections(
 
 
 def check(figure: Path | str | None, trace: Path | str | None) -> None:
-    """Raise UnsupportedError for the name of a file that could not hold what `explain` would write there."""
+    """Raise UnsupportedError for the suffix of a file that `explain` could not write."""
     if figure is not None:
         canvas.check(Path(figure))
     if trace is not None:
@@ -152,20 +152,20 @@ def check(figure: Path | str | None, trace: Path | str | None) -> None:
 
 
 def _measured(item: Item) -> Iterator[str]:
-    """Yield what its shortest solution takes."""
+    """Yield the difficulty of the shortest solution, line by line."""
     yield f"needs: {item.needs}"
     if item.measured is not None:
         yield from (f"{name}: {number}" for name, number in item.measured)
 
 
 def _solution(request: Request, found: CertifiedQuestion) -> str:
-    """Return the worked solution, or why there is none."""
+    """Return the worked solution, or the reason why there is none."""
     solution = worked(request, found)
     return f"by {solution.strategy}\n\n{solution.text}" if solution.answer is not None else f"none: {solution.reason}"
 
 
 def _certificates(item: Item) -> Iterator[str]:
-    """Yield how well the engines agree, about each part if there are several."""
+    """Yield the agreement of the engines, for each part if there are several."""
     for label, certificate in _labelled([part.certificate for part in item.parts], item.certificate):
         yield from (f"{label}{key}: {value}" for key, value in certificate.items())
 
@@ -176,13 +176,13 @@ def _wrong_answers(item: Item) -> Iterator[str]:
 
 
 def _labelled(parts: Sequence[T], whole: T) -> Iterator[tuple[str, T]]:
-    """Something of each part behind its label, or of the whole problem where there are no parts."""
+    """Yield the value of each part with its label, or of the whole problem without parts."""
     labels = [f"({label}) " for label in LABELS]
     yield from zip(labels, parts, strict=False) if parts else [("", whole)]
 
 
 def _filters(found: CertifiedQuestion) -> Iterator[str]:
-    """Yield every filter with its verdict and what it found, for each part if there are several."""
+    """Yield every filter with its verdict and findings, for each part if there are several."""
     for label, held in _labelled([part.certified for part in found.parts], found):
         yield from (f"{label}{line}" for line in _verdicts(held))
 

@@ -26,7 +26,7 @@ class Findings(Record):
 
 
 def found(out: Path) -> Findings:
-    """Check the folder of a dataset; DatasetError if the folder is missing, unfinished or without a manifest."""
+    """Check the folder of a dataset; DatasetError if it is missing, unfinished or without a manifest."""
     if not out.is_dir():
         raise DatasetError(f"{out}: no such folder; give one that sim2reason generate has made")
     if not (out / MANIFEST).is_file() and (out / FOLDER).is_dir():

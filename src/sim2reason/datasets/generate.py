@@ -1,4 +1,4 @@
-"""Generate a dataset from Python, as the command of this name does."""
+"""Generation of a dataset: the function behind the command `generate`."""
 
 import re
 from collections.abc import Callable, Mapping, Sequence
@@ -151,7 +151,7 @@ def generate(
 
 
 def configured(**order: Unpack[Order]) -> Config:
-    """Return the configuration that an order means; it raises what `generate` does."""
+    """Return the configuration for the options; it raises the errors of `generate`."""
     unknown = [name for name in order if name not in Order.__annotations__]
     if unknown:  # as Python says of all other functions
         known = ", ".join(sorted(Order.__annotations__))
@@ -182,7 +182,7 @@ def configured(**order: Unpack[Order]) -> Config:
 
 
 def files_to_avoid(order: Order) -> tuple[Path, ...]:
-    """Return the files of benchmarks in an order: one, or several; DatasetError for what is no file."""
+    """Return the benchmark files in the options; DatasetError for an invalid path."""
     given = order.get("decontaminate", ())
     try:
         return tuple(map(Path, (given,) if isinstance(given, str | Path) else given))

@@ -18,32 +18,32 @@ from sim2reason.grading import Outcome, Score, opened
 
 __all__ = ["GradedResponse", "Response", "Tallies", "Tally", "grade", "graded", "line", "responses"]
 
-DEEPEST = 40  # groups, lists and wrappers in each other
+DEEPEST = 40  # levels of nested groups, lists and wrappers
 
 
 @runtime_checkable
 class ItemRow(Protocol):
-    """Columns by name: a mapping, or a Series, which is none."""
+    """Columns by name: a mapping, or a pandas Series."""
 
     def keys(self) -> Iterable[object]:
         """Return the names of the columns."""
         ...
 
     def __getitem__(self, name: str, /) -> object:
-        """Return what a column holds."""
+        """Return the value of a column."""
         ...
 
 
 class NamedRow(Protocol):
-    """Columns by name in a named tuple, as ``itertuples`` of pandas gives them."""
+    """Columns by name in a named tuple, as from ``itertuples`` of pandas."""
 
     def _asdict(self) -> Mapping[str, object]:
-        """Return what each column holds."""
+        """Return the values by column."""
         ...
 
 
 def answer_of(given: ItemRow | NamedRow) -> Answer:
-    """Return the answer of a row; DatasetError if it has none that can be read."""
+    """Return the answer in a row; DatasetError if there is no readable one."""
     row = given if isinstance(given, ItemRow) else _unnamed(given)
     if not isinstance(row, ItemRow):
         raise DatasetError(f"{type(given).__name__} is no item; give an Item, or a row of a dataset")
@@ -60,15 +60,15 @@ def answer_of(given: ItemRow | NamedRow) -> Answer:
 
 
 def _unnamed(row: object) -> object:
-    """Return the mapping that a named tuple is, once; of anything else itself."""
+    """Return a named tuple as a mapping; any other object unchanged."""
     names = None if isinstance(row, type) else getattr(row, "_asdict", None)
     return names() if callable(names) else row
 
 
 def plain(value: object, depth: int = DEEPEST) -> object:
-    """Return a value of any of these packages as Python's own; a group of which nothing is known is None.
+    """Return a value of numpy, pandas or pyarrow as plain Python; an empty group becomes None.
 
-    What lies deeper than any item's column is left as it is.
+    Values nested deeper than any item's column are unchanged.
     """
     if not depth:
         return value
@@ -85,13 +85,13 @@ def plain(value: object, depth: int = DEEPEST) -> object:
 
 
 LONGEST_LINE = 2**27  # bytes
-TOGETHER = 2000, 2**23  # responses that are graded together, at most, and the bytes of their lines
+TOGETHER = 2000, 2**23  # responses graded together, at most, and bytes of their lines
 
 
 class Response(BaseModel):
-    """What a policy said about the item `id`: a text, messages, or what is no answer; further fields are left alone.
+    """The response of a policy to the item `id`: a text, or messages; further fields are ignored.
 
-    In a file, a list of texts is as many responses.
+    In a file, a list of texts counts as several responses.
     """
 
     id: str
@@ -99,7 +99,7 @@ class Response(BaseModel):
 
 
 class GradedResponse(NamedTuple):
-    """A response with its score, and what groups it with others."""
+    """A response with its score, and the properties by which it is grouped."""
 
     response: Response
     score: Score
@@ -158,10 +158,10 @@ def graded(
     partial: bool = False,
     thinking_opened: bool = False,
 ) -> Iterator[GradedResponse]:
-    """Responses to a dataset with their scores, in their order; some are held at a time, never all.
+    """Yield responses with their scores in order; few are in memory at a time.
 
-    Those to problems of other splits are passed over. DatasetError names an id that the dataset does not hold, or a
-    split, or says that no response is to a problem of these splits.
+    Responses to problems of other splits are skipped. DatasetError names an unknown id or split, or states that no
+    response is to a problem of these splits.
     """
     splits, passed_over, found = data.splits(split), False, False
     for _, some in groupby(_numbered(given), key=lambda pair: pair[0]):
@@ -182,7 +182,7 @@ def graded(
 
 
 def _numbered(given: Iterable[Response]) -> Iterator[tuple[int, Response]]:
-    """Yield each with the number of those that it is graded together with."""
+    """Yield each response with the number of the batch in which it is graded."""
     group, count, size = 0, 0, 0
     for response in given:
         count, size = count + 1, size + len(str(response.response))
@@ -192,7 +192,7 @@ def _numbered(given: Iterable[Response]) -> Iterator[tuple[int, Response]]:
 
 
 def responses(file: IO[bytes], name: str) -> Iterator[Response]:
-    """The responses in JSON lines ``{id, response}``; DatasetError, with the `name` of the file, if there is none."""
+    """Yield the responses in JSON lines ``{id, response}``; DatasetError, with the file's `name`, if invalid."""
     found = False
     for count, text in enumerate(iter(lambda: file.readline(LONGEST_LINE), b""), start=1):
         if len(text) == LONGEST_LINE:
@@ -224,7 +224,7 @@ def _response(text: bytes, place: str) -> Response:
 
 
 def _whole(read: object) -> object:
-    """What was read, with a mark for each half of a surrogate pair that stands alone, since no file can hold it."""
+    """Return a JSON value with unpaired surrogates replaced, since no file can contain them."""
     if isinstance(read, str):
         return read.encode(errors="replace").decode() if not read.isascii() else read
     if isinstance(read, list):
@@ -249,7 +249,7 @@ def line(response: Response, score: Score) -> str:
 
 
 class Tally(NamedTuple):
-    """The grades of one group: all, or those of one recipe or kind."""
+    """The outcomes and mean reward of one group: all, or one recipe or kind."""
 
     by: str
     name: str
@@ -259,21 +259,21 @@ class Tally(NamedTuple):
 
 
 class Tallies:
-    """How many responses came out how, and what they were paid."""
+    """Counts of outcomes and rewards of responses, by group."""
 
     def __init__(self) -> None:
-        """None yet."""
+        """Start without counts."""
         self._counts: dict[tuple[str, str], Counter[Outcome]] = {}
         self._paid: dict[tuple[str, str], float] = {}
 
     def add(self, found: GradedResponse) -> None:
-        """Count one more, in each of its groups."""
+        """Count one response in each of its groups."""
         for group in (("all", ""), ("recipe", found.recipe), ("kind", found.kind)):
             self._counts.setdefault(group, Counter())[found.score.outcome] += 1
             self._paid[group] = self._paid.get(group, 0.0) + found.score.reward
 
     def __iter__(self) -> Iterator[Tally]:
-        """Over all, then by recipe and by kind, in alphabetical order."""
+        """Yield the tallies of all, then by recipe and by kind, in alphabetical order."""
         order = sorted(self._counts, key=lambda group: (("all", "recipe", "kind").index(group[0]), group[1]))
         return (_tally(*group, self._counts[group], self._paid[group]) for group in order)
 

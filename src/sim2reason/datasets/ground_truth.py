@@ -1,31 +1,31 @@
-"""The right answer to a problem as the text in a row of an export, by which rewards grade."""
+"""The ground truth of a problem: its answer as text in a row of an export, from which rewards grade."""
 
 import json
 
 from sim2reason.generation.item import Answer, Item, Record
 from sim2reason.grading.parts import LABELS
 
-EXTRA = "parts", "letter", "options", "texts"  # of an answer, which most do not have
+EXTRA = "parts", "letter", "options", "texts"  # optional fields of an answer
 
 
 class Letter(Record):
-    """The answer to a multiple choice: the right letter, and all that there are."""
+    """The answer to a multiple-choice item: the correct letter, and all letters."""
 
     letter: str
     letters: str
 
 
 def ground_truth(right: Item | Answer | Letter) -> str:
-    """Return the right answer, with all that a grader must know, as one line of JSON."""
+    """Return the answer, with all data for grading, as one line of JSON."""
     held = right.answer if isinstance(right, Item) else right
     given = held.model_dump(mode="json", exclude_none=True)
     return json.dumps({name: value for name, value in given.items() if name not in EXTRA or value}, ensure_ascii=False)
 
 
 def answered(right: Item) -> str:
-    """Return the right answer as somebody would write it: the formula, or the number to six digits in the asked unit.
+    """Return the answer as a person would write it: the formula, or the number to six digits in its unit.
 
-    Of a problem with several parts, all answers with their labels; of one with options, the letter.
+    For several parts, all answers with their labels; for multiple choice, the letter.
     """
     return _written(right.answer)
 
@@ -39,5 +39,5 @@ def _written(answer: Answer) -> str:
 
 
 def boxed(answer: str) -> str:
-    """Return an answer as the grader looks for it: in a box, unless there is one in it already."""
+    """Return an answer in a box, unless it already contains one."""
     return answer if r"\boxed" in answer else rf"\boxed{{{answer}}}"

@@ -9,7 +9,7 @@ from sim2reason.base.optional import optional
 from sim2reason.datasets.findings import found
 from sim2reason.errors import DatasetError
 
-SHOWN = 300  # characters of what the hub's library says about an error
+SHOWN = 300  # characters of an error message of the Hub's library
 IGNORED = "**/.*", ".*"
 """What is of this machine alone."""
 

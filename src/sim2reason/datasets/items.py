@@ -1,4 +1,4 @@
-"""Items by their coordinates: any one at once, or as many as are wanted in order."""
+"""Items by their coordinates: single ones, or endless sequences."""
 
 from collections.abc import Iterator, Mapping
 from itertools import count
@@ -210,7 +210,7 @@ def requested(  # noqa: PLR0913 - the same
     needs: Names = (),
     solutions: bool = False,
 ) -> Request:
-    """Return the request of some coordinates; it raises what `item` does of them."""
+    """Return the request for some coordinates; it raises the errors of `item`."""
     given = numbers("weights", weights or {})
     check(given, modes_named((mode,)), recipes_named((recipe,)))
     ordered = tuple(sorted(given.items()))
@@ -219,7 +219,7 @@ def requested(  # noqa: PLR0913 - the same
 
 
 def made(request: Request) -> tuple[Item, CertifiedQuestion]:
-    """Return the item of a request, with all that it was made of; DrawError if no draw passed the filters."""
+    """Return the item of a request, with its certified question; DrawError if no draw passed the filters."""
     found = _found(request)
     return item_of(request, found), found
 

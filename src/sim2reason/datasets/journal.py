@@ -1,4 +1,4 @@
-"""What a run has finished, so that the next can go on: one small record per shard, in a hidden folder.
+"""Journal of a build: one record per finished shard in a hidden folder, so that a later run can resume.
 
     OUT/.sim2reason/plan.json      the configuration and versions, written before anything else: the folder is ours
     OUT/.sim2reason/00007.json     a shard's record, written after its files
@@ -30,18 +30,18 @@ R = TypeVar("R", bound=Record)
 
 
 class RunPlan(Record):
-    """What decides every byte of a dataset."""
+    """The configuration and versions, which determine every byte of a dataset."""
 
     config: Config
     versions: dict[str, str]
 
     @classmethod
     def of(cls, config: Config) -> "RunPlan":
-        """Return that of a configuration here and now."""
+        """Return the plan of a configuration with the installed versions."""
         return cls(config=config, versions=versions())
 
     def differences(self, other: "RunPlan") -> list[str]:
-        """In words: where `other` differs from this, but for more items, which only come behind these."""
+        """Return the differences of another plan in words; additional items do not count."""
         mine, theirs = _flat(self), _flat(other)
         names = sorted(mine.keys() | theirs.keys())
         if self.config.items <= other.config.items:
@@ -50,12 +50,12 @@ class RunPlan(Record):
 
 
 class Journal:
-    """The records of one run or of the runs before it; the caller holds the folder's lock."""
+    """The records of this and earlier runs; the caller holds the folder's lock."""
 
     def __init__(self, out: Path, config: Config, *, alone: bool = True) -> None:
-        """Open the journal of `out`; DatasetError, and nothing touched, if the folder is not ours to fill.
+        """Open the journal of `out`; DatasetError, without changes, if the folder belongs to something else.
 
-        `alone` says that no other run writes here at this time.
+        `alone` means that no other run writes here at this time.
         """
         self.out, self.folder, self.plan = out, out / FOLDER, RunPlan.of(config)
         manifest = self._claim()
@@ -75,21 +75,21 @@ class Journal:
 
     @property
     def shards(self) -> int:
-        """Return how many ranges these positions are cut into."""
+        """Return the number of shards."""
         return self.plan.config.shards(self.positions)
 
     def range(self, number: int) -> range:
-        """Return the positions of the shard of that number."""
+        """Return the positions of a shard by its number."""
         return self.plan.config.positions(number, self.positions)
 
     def _last_position(self) -> int:
-        """Return the position behind the last one that was tried, by the records."""
+        """Return the position after the last one tried, from the records."""
         numbers = (int(path.stem) for path in self.folder.glob("*.json") if path.stem.isdecimal())
         last = self.shard(max(numbers, default=0))
         return last.positions[1] if last is not None else 0
 
     def _claim(self) -> Manifest | None:
-        """Return the manifest of a finished dataset that this plan goes on with, if there is one."""
+        """Return the manifest of a finished dataset that this plan extends, or None."""
         if self.folder.is_symlink():
             raise DatasetError(f"{self.folder}: is a link; choose a new folder")
         strangers = sorted(path.name for path in self.out.iterdir() if not self._is_fresh(path))
@@ -107,13 +107,13 @@ class Journal:
         return manifest
 
     def _is_fresh(self, path: Path) -> bool:
-        """Whether something in `out` is our folder, before its plan stands: a run began, or was killed at once."""
+        """Return whether `out` was left by an interrupted run before its plan was written."""
         if path != self.folder or not path.is_dir():
             return False
         return all(held.name.startswith(f"{PLAN}.") and held.suffix == TEMPORARY for held in path.iterdir())
 
     def _open_again(self, manifest: Manifest) -> None:
-        """Take the records of a finished dataset over; its manifest holds no longer if the dataset grows."""
+        """Restore the records of a finished dataset; the manifest is removed if the dataset grows."""
         try:
             for shard in shards(self.out):
                 if not self._record(shard.number).is_file():
@@ -126,9 +126,9 @@ class Journal:
             remove_pictures(self.out, manifest.files)
 
     def stands(self, number: int) -> Shard | None:
-        """Return the record of a shard if all its files stand undamaged; they get the names of this plan.
+        """Return the record of a shard if all its files exist undamaged, after renaming them for this plan.
 
-        It may be one of fewer positions than the shard is to have: the first of them.
+        The record may cover only the first of the shard's positions.
         """
         shard, wanted = self.shard(number), self.range(number)
         if shard is None or shard.positions[0] != wanted.start or shard.positions[1] > wanted.stop:
@@ -149,11 +149,11 @@ class Journal:
         return shard
 
     def shard(self, number: int) -> Shard | None:
-        """Return the record of a shard, if there is one."""
+        """Return the record of a shard, or None."""
         return _read(self._record(number), Shard)
 
     def marks(self, number: int) -> Marks | None:
-        """Return what no other item may share with those of a shard, if that is kept."""
+        """Return the stored duplicate marks of a shard, or None."""
         try:
             with self._marks(number).open("rb") as file:
                 return Marks(np.load(file, allow_pickle=False), np.load(file, allow_pickle=False))
@@ -161,7 +161,7 @@ class Journal:
             return None
 
     def keep(self, number: int, marks: Marks) -> None:
-        """Keep what no other item may share with those of a shard."""
+        """Store the duplicate marks of a shard."""
 
         def write(path: Path) -> None:
             with path.open("wb") as file:
@@ -171,7 +171,7 @@ class Journal:
         put(self._marks(number), write, self.folder)
 
     def note(self, shard: Shard, marks: Marks) -> None:
-        """Keep the record of a shard whose files stand, in place of those that its last record lists."""
+        """Store the record of a written shard, and remove the files of its previous record."""
         self.keep(shard.number, marks)
         before, names = self.shard(shard.number), {file.name for file in shard.files}
         for file in before.files if before is not None else ():
@@ -181,7 +181,7 @@ class Journal:
         self._save(shard)
 
     def close(self) -> None:
-        """The manifest stands: what is ours in the folder goes, and it, if that leaves it empty."""
+        """Remove the journal after the manifest is written, and its folder if empty."""
         for number in range(self.shards):
             self._record(number).unlink(missing_ok=True)
             self._marks(number).unlink(missing_ok=True)
@@ -190,7 +190,7 @@ class Journal:
             self.folder.rmdir()
 
     def _path(self, file: ShardFile) -> Path:
-        """Return where a file that a record lists may stand: among the shards, whatever the record says."""
+        """Return the path of a file in a record, restricted to the shards' folder."""
         return self.out / DATA / Path(file.name).name
 
     def _save(self, shard: Shard) -> None:

@@ -1,4 +1,4 @@
-"""Problems that are drawn when they are asked for: a dataset of a bounded length that is never written."""
+"""Problems generated on request: a bounded dataset that is never written."""
 
 from dataclasses import replace
 
@@ -18,12 +18,12 @@ TRIES = 200
 
 
 class LazyProblems:
-    """The problems of one split of a configuration, by position; the k-th is a pure function of it and of k.
+    """The problems of one split of a configuration by position, each a pure function of both.
 
-    Positions are dealt to recipes, difficulties and modes as those of a dataset. Where a request gives no problem of
-    the split, be it that no draw passes the filters, that the problem belongs to another split, or that it shares words
-    with a benchmark, the request of the same recipe, difficulty and mode at the index `MOST` further on takes its
-    place. So no two positions have one request. An instance is small, and can be pickled.
+    Positions cycle through recipes, difficulties and modes as in a dataset. If a request gives no problem of the split
+    (no draw passes the filters, the problem belongs to another split, or it shares words with a benchmark), the request
+    with the index increased by `MOST` replaces it, so that no two positions share a request. An instance is small, and
+    can be pickled.
 
     Args:
         config: what `generate` would make; `items` is the length. Items are not compared with each other.
@@ -35,7 +35,7 @@ class LazyProblems:
     """
 
     def __init__(self, config: Config, split: str = TRAIN, benchmarks: Benchmarks | None = None) -> None:
-        """Draw nothing yet."""
+        """Store the configuration without generating a problem."""
         if config.items > MOST:
             raise DatasetError(f"items: {config.items} are too many; give {MOST} at most")
         if split not in config.split:
@@ -48,7 +48,7 @@ class LazyProblems:
         return self.config.items
 
     def __getitem__(self, position: int) -> Item:
-        """Return the problem at a position from 0 on.
+        """Return the problem at a position, counted from 0.
 
         Raises:
             IndexError: there is no such position.

@@ -1,4 +1,4 @@
-"""The manifest: what a dataset holds, what was refused, what could not be made, and every checksum."""
+"""The manifest: the contents of a dataset, rejections, unfilled positions, and all checksums."""
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
@@ -18,7 +18,7 @@ from sim2reason.generation.item import Record
 from sim2reason.generation.request import Request
 
 MANIFEST, SHARDS = "manifest.json", "shards.jsonl"
-FIRST = 20  # of the refused positions that the manifest itself names; all stand beside their shards
+FIRST = 20  # positions listed in the manifest itself; the shards' records list all
 Counts = dict[str, int]
 Refusal = Literal["quarantined", "unfilled", "contaminated", "duplicates", "variants"]
 REFUSALS: tuple[Refusal, ...] = get_args(Refusal)
@@ -31,7 +31,7 @@ COUNTED: dict[Refusal, str] = {
 
 
 class RefusedPosition(Record):
-    """A position that holds no item: the request that makes it again, and why."""
+    """A position without an item: its request, and the reason."""
 
     position: int
     recipe: str
@@ -43,7 +43,7 @@ class RefusedPosition(Record):
 
     @classmethod
     def of(cls, position: int, request: Request, reason: str) -> "RefusedPosition":
-        """Say why `request` at `position` gave no item."""
+        """Return the record of a request at `position` that gave no item."""
         return cls(
             position=position,
             recipe=request.recipe,
@@ -66,9 +66,9 @@ class ShardFile(Record):
 
 
 class Shard(Record):
-    """A range of positions: the files of its items, one for each split, and what became of all others.
+    """A range of positions: its files, one for each split, and the positions without items.
 
-    The list of all shards stands beside the manifest, one a line, so that nobody needs to hold it in memory.
+    The list of all shards is a file beside the manifest, one per line, so that it need not be in memory.
     """
 
     number: int
@@ -96,24 +96,24 @@ class Shard(Record):
 
     @property
     def rows(self) -> int:
-        """Of all its files."""
+        """Return the number of rows of all its files."""
         return sum(file.rows for file in self.files)
 
 
 class RefusedPositions(Record):
-    """Positions without an item, for one cause: how many, and the first of them."""
+    """The positions without an item for one cause: their number, and the first of them."""
 
     total: int = 0
     first: tuple[RefusedPosition, ...] = ()
 
     def with_more(self, found: Iterable[RefusedPosition]) -> "RefusedPositions":
-        """Return those and later ones."""
+        """Return the record with later positions added."""
         more = tuple(found)
         return RefusedPositions(total=self.total + len(more), first=(*self.first, *more)[:FIRST]) if more else self
 
 
 class Manifest(Record):
-    """All about a dataset; ``manifest.json`` is its one canonical spelling."""
+    """The contents of ``manifest.json``: all metadata of a dataset."""
 
     config: Config
     config_hash: str
@@ -140,29 +140,29 @@ class Manifest(Record):
     """The SHA-256 of this manifest with an empty seal."""
 
     def sealed(self) -> "Manifest":
-        """Return the same with its seal set."""
+        """Return the manifest with its seal set."""
         bare = self.model_copy(update={"seal": ""}).text()
         return self.model_copy(update={"seal": sha256(bare.encode()).hexdigest()})
 
     @property
     def is_whole(self) -> bool:
-        """Return whether it says what was sealed."""
+        """Return whether the seal matches the contents."""
         return self.sealed().seal == self.seal
 
     def empty_cells(self) -> Iterator[str]:
-        """A line for each mode, kind and recipe that is empty though it should not be; one if nothing could be made."""
+        """Yield a line for each mode, kind and recipe that is unexpectedly empty."""
         yield from empty(self.cells)
         unfilled = self.refused["unfilled"].total if "unfilled" in self.refused else 0
         if not self.rows and unfilled:
             yield f"no problem at all: none of {unfilled} could be made; order other recipes, modes, kinds or weights"
 
     def text(self) -> str:
-        """Return the bytes of ``manifest.json``, as text."""
+        """Return the text of ``manifest.json``."""
         return canonical(self.model_dump(mode="json"))
 
 
 def load(path: Path) -> Manifest:
-    """Read ``manifest.json`` of the folder `path`; DatasetError if it is not there or makes no sense."""
+    """Read ``manifest.json`` in the folder `path`; DatasetError if it is missing or invalid."""
     file = path / MANIFEST
     if not file.is_file():
         raise DatasetError(f"{path}: no {MANIFEST} here; give a folder that sim2reason generate has finished")
@@ -175,7 +175,7 @@ def load(path: Path) -> Manifest:
 
 
 def load_sealed(path: Path) -> Manifest:
-    """Return the same of a manifest that says what was written; DatasetError for one that was changed since."""
+    """Read a manifest and verify its seal; DatasetError if it was changed."""
     manifest = load(path)
     if not manifest.is_whole:
         raise DatasetError(f"{path / MANIFEST}: changed since it was written; see: sim2reason verify {path}")
@@ -183,12 +183,12 @@ def load_sealed(path: Path) -> Manifest:
 
 
 def shards(path: Path) -> Iterator[Shard]:
-    """Return the shards of a finished dataset in order, one at a time; DatasetError for a line that is none."""
+    """Yield the shards of a finished dataset in order; DatasetError for an invalid line."""
     return (_shard(path, *numbered) for numbered in enumerate(_lines(path), start=1))
 
 
 def shard(path: Path, number: int) -> Shard:
-    """Return one shard of a finished dataset; DatasetError if its line is none, or not there."""
+    """Return one shard of a finished dataset; DatasetError if its line is invalid or missing."""
     line = next(islice(_lines(path), number, None), b"")
     return _shard(path, number + 1, line)
 
@@ -210,12 +210,12 @@ def _shard(path: Path, count: int, line: bytes) -> Shard:
 
 
 def refused(path: Path, kind: Refusal) -> Iterator[RefusedPosition]:
-    """Return all positions of a finished dataset that hold no item for one cause, in order."""
+    """Yield all positions of a finished dataset without items for one cause, in order."""
     return (found for shard in shards(path) for found in getattr(shard, kind))
 
 
 def merged(parts: Iterable[Mapping[str, Counts]]) -> dict[str, Counts]:
-    """Add counts of counts, in alphabetical order."""
+    """Return the sum of nested counts, in alphabetical order."""
     total: dict[str, Counter[str]] = {}
     for part in parts:
         for key, counts in part.items():
@@ -224,7 +224,7 @@ def merged(parts: Iterable[Mapping[str, Counts]]) -> dict[str, Counts]:
 
 
 def all_histograms(parts: Iterable[Mapping[str, Counted]]) -> dict[str, Counted]:
-    """Add histograms."""
+    """Return the sum of histograms."""
     found = tuple(parts)
     return {name: merged(part.get(name, {}) for part in found) for name in sorted({n for part in found for n in part})}
 

@@ -29,9 +29,9 @@ __all__ = ["Chosen"]
 MAKER = "sim2reason.generation.make:make"
 """The maker of items, by dotted path, so that a worker process can find it."""
 SHARD = 500  # rows: a few MB, made in half a minute; the most that a kill can lose
-BARREN, TURNS = 100, 2  # positions, and turns over all cells: where one in 25 is new, all seems barren with 2 %
-FIRST_TRIES = 20  # positions, and one turn, where there is no item at all
-LARGEST_SHARD = 100_000  # rows: what a process holds in memory at once, some 300 MB
+BARREN, TURNS = 100, 2  # positions, and rounds over all cells, without new items after which generation ends
+FIRST_TRIES = 20  # positions, with one round, if there is no item at all
+LARGEST_SHARD = 100_000  # rows in memory at once, some 300 MB
 DATA = "data"
 """The folder of all shards."""
 TRAIN = "train"
@@ -53,7 +53,7 @@ _LICENSE = re.compile(r"[a-z0-9][a-z0-9.+-]{0,39}")
 
 
 def several(what: str, names: object) -> tuple[str, ...]:
-    """Return the names that are given, be it one or more; DatasetError for what is none, with `what` it would name."""
+    """Return one or more names as a tuple; DatasetError, with `what`, for anything else."""
     many = isinstance(names, Iterable) and not isinstance(names, str)
     for name in (found := tuple(cast("Iterable[object]", names if many else (names,)))):
         if not isinstance(name, str):
@@ -62,7 +62,7 @@ def several(what: str, names: object) -> tuple[str, ...]:
 
 
 def numbers(what: str, pairs: object) -> dict[str, float]:
-    """Return the numbers that are given by name, such as weights; DatasetError for what is no mapping of such."""
+    """Return numbers by name, such as weights; DatasetError for anything else."""
     if not isinstance(pairs, Mapping):
         raise DatasetError(f"{what}: {pairs!r} is no mapping; give numbers by name, as in {{'period': 2}}")
     for name, size in (found := cast("Mapping[object, object]", pairs)).items():
@@ -74,8 +74,8 @@ def numbers(what: str, pairs: object) -> dict[str, float]:
 class Config(Record):
     """The configuration of a dataset: with the versions it decides every byte.
 
-    Positions from 0 on without end are dealt to recipes, difficulties and modes. A dataset has the first `items` of
-    those that hold an item that none before them makes superfluous.
+    Positions from 0 on cycle through recipes, difficulties and modes. A dataset consists of the first `items` positions
+    whose items are not made redundant by earlier ones.
     """
 
     items: Annotated[int, Ge(0), Le(LARGEST)]
@@ -109,7 +109,7 @@ class Config(Record):
     @field_validator("split")
     @classmethod
     def _whole(cls, value: dict[str, float]) -> dict[str, float]:
-        """In alphabetical order; names that a file may have, and shares that leave nothing over."""
+        """Validate the shares of splits and sort them by name."""
         for name, share in value.items():
             if not _SPLIT.fullmatch(name):
                 raise ValueError(f"{name!r} is no name of a split; write small letters and digits, as in {SHARES}")
@@ -125,7 +125,7 @@ class Config(Record):
     @field_validator("tolerance")
     @classmethod
     def _of_use(cls, value: float) -> float:
-        """Return one that an answer may have."""
+        """Validate the tolerance of answers."""
         if fault := out_of_range(value):
             raise ValueError(fault)
         return value
@@ -133,7 +133,7 @@ class Config(Record):
     @field_validator("license")
     @classmethod
     def _of_the_hub(cls, value: str) -> str:
-        """Return a name as the Hugging Face hub has them, which stands in the card's head."""
+        """Validate the name of a licence on the Hugging Face Hub."""
         if not _LICENSE.fullmatch(value):
             raise ValueError(
                 f"{value!r} is no licence on the Hugging Face hub; give its name there, as in --license mit"
@@ -142,11 +142,11 @@ class Config(Record):
 
     @cached_property
     def _cells(self) -> tuple[tuple[str, str, str], ...]:
-        """All of recipe, difficulty and mode, so that each is about as often as others among the first few, too.
+        """Return all combinations of recipe, difficulty and mode, in an order that mixes them evenly.
 
-        Pairs of difficulty and mode form blocks, in which both change from each pair to the next and every difficulty,
-        and every mode, is as often as any other. Each turn goes over all recipes. A recipe has the next pair of its
-        block in each turn, and is one pair ahead of the recipe before it.
+        Pairs of difficulty and mode form blocks, in which both change from each pair to the next, and all difficulties
+        and modes are equally frequent. Each round covers all recipes. A recipe takes the next pair of its block in each
+        round, and is one pair ahead of the previous recipe.
         """
         levels, modes = len(self.difficulties), len(self.modes)
         block = lcm(levels, modes)
@@ -158,12 +158,12 @@ class Config(Record):
         return tuple(starmap(cell, product(range(levels * modes), range(len(self.recipes)))))
 
     def barren_from(self, behind_last: int) -> int:
-        """Return the position from which on no new items are expected; the last item is at `behind_last` - 1."""
+        """Return the position after which no new items are expected; the last item is at `behind_last` - 1."""
         tries, turns = (BARREN, TURNS) if behind_last else (FIRST_TRIES, 1)
         return behind_last + max(tries, turns * len(self._cells))
 
     def request(self, position: int) -> Request:
-        """Deal positions in turn to every recipe, difficulty and mode; a recipe named twice counts twice."""
+        """Return the request at a position; positions cycle through all recipes, difficulties and modes."""
         turn, place = divmod(position, len(self._cells))
         cell = self._cells[place]
         index = turn * self._cells.count(cell) + self._cells[:place].count(cell)
@@ -171,7 +171,7 @@ class Config(Record):
         return Request(*cell, self.seed, index, *how, tolerance=self.tolerance, needs=self.needs)
 
     def named(self, name: str) -> Request:
-        """The request of an id; DrawError for what is no id of this configuration's weights, tolerance and needs."""
+        """Return the request of an id; DrawError if the id does not match this configuration."""
         return Request.named(name, self._weights, self.tolerance, self.needs)
 
     @cached_property
@@ -179,15 +179,15 @@ class Config(Record):
         return tuple(sorted(self.weights.items()))
 
     def shards(self, positions: int) -> int:
-        """Return how many ranges so many positions are cut into, of which each stands in one file for each split."""
+        """Return the number of shards for a number of positions."""
         return -(-positions // self.shard)
 
     def positions(self, number: int, end: int) -> range:
-        """Return the positions of the shard of that number, where there are none from `end` on."""
+        """Return the positions of a shard, limited by `end`."""
         return range(number * self.shard, min((number + 1) * self.shard, end))
 
     def position(self, request: Request) -> int:
-        """Return where a request stands; DrawError if no position of this configuration has it."""
+        """Return the position of a request; DrawError if this configuration has none."""
         cell = request.recipe, request.difficulty, request.mode
         times = self._cells.count(cell)
         if times:
@@ -199,18 +199,18 @@ class Config(Record):
         raise DrawError(f"{request.id}: no item of this dataset")
 
     def digest(self, versions: dict[str, str]) -> str:
-        """Return a hash of the configuration and the versions that make it."""
+        """Return a hash of the configuration and the package versions."""
         text = json.dumps([self.model_dump(mode="json"), versions], sort_keys=True)
         return hashlib.sha256(text.encode()).hexdigest()
 
 
 def file_name(number: int, total: int, split: str = TRAIN) -> str:
-    """Return the file of a shard and a split, named as the Hugging Face hub does."""
+    """Return the file name of a shard and split, in the style of the Hugging Face Hub."""
     return f"{DATA}/{split}-{number:05}-of-{total:05}.parquet"
 
 
 def recipes_named(names: Names, *, check: bool = True) -> tuple[str, ...]:
-    """Recipes; `check` raises UnknownNameError, with what is near, for one that there is not."""
+    """Return recipes by name; with `check`, UnknownNameError suggests similar names for an unknown one."""
     found = all_recipes() if names == ALL else several("recipe", names)
     for name in found if check else ():
         RECIPES[name]
@@ -218,7 +218,7 @@ def recipes_named(names: Names, *, check: bool = True) -> tuple[str, ...]:
 
 
 def modes_named(names: Names, *, check: bool = True) -> tuple[str, ...]:
-    """Modes of questions, checked as recipes are."""
+    """Return modes by name; with `check`, UnknownNameError suggests similar names for an unknown one."""
     found = tuple(MODES) if names == ALL else several("mode", names)
     for name in found if check else ():
         MODES[name]
@@ -226,15 +226,15 @@ def modes_named(names: Names, *, check: bool = True) -> tuple[str, ...]:
 
 
 def difficulties_named(names: Names) -> tuple[Difficulty, ...]:
-    """Difficulties; UnknownNameError for another."""
+    """Return difficulties by name; UnknownNameError for an unknown one."""
     found = DIFFICULTIES if names == ALL else several("difficulty", names)
     return tuple(difficulty_named(name) for name in found)
 
 
 def needs_named(names: Names) -> tuple[str, ...]:
-    """Needs of solutions by their labels, each once and in ascending order; UnknownNameError for another.
+    """Return needs by their labels, without repetitions in ascending order; UnknownNameError for others.
 
-    A hyphen may stand for a space. Without any the default quota holds.
+    A hyphen may replace a space. Without names the default quota applies.
     """
     found = {_need(name) for name in (tuple(NEEDS) if names == ALL else several("needs", names))}
     return tuple(need.label for need in sorted(found))
@@ -252,7 +252,7 @@ Given = str | tuple[str, ...]
 
 
 def _known(named: Callable[[Given], tuple[str, ...]]) -> AfterValidator:
-    """Return a validator: `named` raises for a name that there is not."""
+    """Return a validator that calls `named`, which raises an error for unknown names."""
 
     def check(value: Given) -> Given:
         if not value:
@@ -263,7 +263,7 @@ def _known(named: Callable[[Given], tuple[str, ...]]) -> AfterValidator:
 
 
 class Chosen(BaseModel):
-    """Settings of problems that are drawn, which classes of settings inherit."""
+    """The settings that select problems, a base of other settings classes."""
 
     recipe: Annotated[Given, _known(recipes_named)] = ALL
     difficulty: Annotated[Given, _known(difficulties_named)] = ALL

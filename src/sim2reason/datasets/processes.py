@@ -1,4 +1,4 @@
-"""Worker processes: their start, their end with the parent, and interrupts."""
+"""Worker processes: start, termination with the parent, and handling of interrupts."""
 
 import os
 import signal
@@ -14,7 +14,7 @@ __all__ = ["ALONE"]
 
 
 def end_with_parent() -> None:
-    """From now on end this process when its parent is gone; nothing happens in a process that has none."""
+    """Terminate this process when its parent exits; do nothing in a process without a parent."""
     Thread(target=_wait, daemon=True).start()
 
 
@@ -30,7 +30,7 @@ SIGNALS = signal.SIGINT, signal.SIGTERM
 
 @contextmanager
 def deaf_children() -> Generator[None, None, None]:
-    """Processes that start in the block hear none of `SIGNALS`, from their first moment on; ours waits for its end."""
+    """Make processes started in the block ignore `SIGNALS`; signals in this process wait for the block's end."""
     resource_tracker.ensure_running()  # it would lift the block while it starts
     before = signal.pthread_sigmask(signal.SIG_BLOCK, SIGNALS)
     try:
@@ -61,7 +61,7 @@ ALONE = _Context()
 
 @contextmanager
 def _program_untold() -> Generator[None, None, None]:
-    """Withhold the caller's program from processes that this thread starts within the block."""
+    """Hide the caller's main program from processes that this thread starts within the block."""
     prepared, thread = spawn.get_preparation_data, get_ident()
 
     def without_program(name: str) -> dict[str, Any]:

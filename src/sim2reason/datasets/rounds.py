@@ -1,4 +1,4 @@
-"""Rounds of work that make the positions of a dataset, shard by shard, until it has its items."""
+"""Rounds of work that make the positions of a dataset, shard by shard, until it has enough items."""
 
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -16,21 +16,18 @@ from sim2reason.datasets.shard_files import items_of, lengthened, marks_of, put_
 from sim2reason.datasets.worker import Attempt, Batch
 from sim2reason.generation.item import Item
 
-BATCH = 10  # items: half a second of work, so that talking to a worker costs little
+BATCH = 10  # items: half a second of work, so that communication costs little
 
 
 class WorkQueue:
-    """Hands out batches and collects what becomes of them.
+    """A queue of batches that collects their results and retries failed positions one by one.
 
-    After a crash or a hang, each position of the batch is tried once more, alone: the guilty one is found,
-    the others are not lost. A position that fails alone gives an outcome with a failure.
+    After a crash or a timeout, each position of the batch is retried alone, so that only the faulty one is lost; its
+    result records the failure.
     """
 
     def __init__(self, config: Config, missing: Iterable[range | None]) -> None:
-        """Plan the positions that are to be made, each range of one shard; they are asked for when their turn comes.
-
-        None among them says that there are none before some of those that were given are made.
-        """
+        """Plan the missing positions, each range of one shard; None means to wait for earlier ones."""
         self._config = config
         self._open: dict[int, tuple[range, list[Attempt]]] = {}
         self._fresh = self._cut(missing)
@@ -50,16 +47,16 @@ class WorkQueue:
 
     @property
     def open(self) -> bool:
-        """Return whether some range that was given is not complete."""
+        """Return whether some issued range is incomplete."""
         return bool(self._open)
 
     def next(self) -> Batch | None:
-        """Return the next batch; None if there is none now (a reply may bring more)."""
+        """Return the next batch; None if none is available before a reply."""
         positions = [self._again.popleft()] if self._again else next(self._fresh, ())
         return [(k, self._config.request(k)) for k in positions] or None
 
     def settle(self, batch: Batch, reply: Reply) -> Iterator[tuple[range, list[Attempt]]]:
-        """Take a reply in, and give each range that it completes with its outcomes in order."""
+        """Accept a reply, and yield each range that it completes with its results in order."""
         if isinstance(reply, str):
             reply = list(self._retry(batch, reply))
         self.done += len(reply)
@@ -91,7 +88,7 @@ Watch = Callable[[Attempt], object]
 
 
 def make_all(journal: Journal, run: Run, overlap: FindsOverlap, advance: Advance, watch: Watch) -> None:
-    """Make positions until as many items stand as are asked for, or nothing new is left to be had."""
+    """Make positions until there are as many items as requested, or no new ones are expected."""
     told = 0
 
     def tell(steps: int) -> None:
@@ -117,18 +114,18 @@ def make_all(journal: Journal, run: Run, overlap: FindsOverlap, advance: Advance
 def make_positions(
     journal: Journal, numbers: range, run: Run, overlap: FindsOverlap, advance: Advance, watch: Watch
 ) -> None:
-    """Make those positions of some shards that do not stand, and none in place of those that hold no item."""
+    """Make the missing positions of some shards, without replacing positions that have no item."""
     queue = WorkQueue(journal.plan.config, _missing(journal, numbers, advance))
     _work(journal, queue, run, overlap, advance, watch)
 
 
 def _told_before(done: int) -> None:
-    """Do not count a second time what stood in an earlier round."""
+    """Ignore the number of positions finished in an earlier round, to avoid counting them twice."""
     del done
 
 
 def _missing(journal: Journal, numbers: range, advance: Advance) -> Iterator[range]:
-    """Yield the positions of some shards that do not stand."""
+    """Yield the missing positions of some shards."""
     for number in numbers:
         positions, standing = journal.range(number), journal.stands(number)
         begin = standing.positions[1] if standing is not None else positions.start
@@ -150,7 +147,7 @@ def _work(journal: Journal, queue: WorkQueue, run: Run, overlap: FindsOverlap, a
 
 
 def _lengthened(journal: Journal) -> range:
-    """Let the journal have the positions of the next round, and give the shards to look at; none if all is done."""
+    """Extend the journal by the next round, and return its shards; empty if all is done."""
     config, shards = journal.plan.config, journal.shards
     barren_from = config.barren_from(_behind_last_item(journal))
     end = max(journal.positions, min(journal.positions + config.items - _rows(journal), barren_from))
@@ -165,7 +162,7 @@ def _rows(journal: Journal) -> int:
 
 
 def _write(journal: Journal, overlap: FindsOverlap, positions: range, outcomes: Sequence[Attempt]) -> None:
-    """Write the shard of a complete range, behind those of its positions that stand."""
+    """Write the shard of a completed range after its existing positions."""
     number = positions.start // journal.plan.config.shard
     found = [(outcome.position, outcome.item) for outcome in outcomes if outcome.item is not None]
     overlaps = {position: shared for position, item in found if (shared := overlap(item.prompt))}
@@ -178,7 +175,7 @@ def _write(journal: Journal, overlap: FindsOverlap, positions: range, outcomes: 
 
 
 def _record(config: Config, positions: range, outcomes: Sequence[Attempt], overlaps: dict[int, Overlap]) -> Shard:
-    """Return what a range's record says of what it was asked for, and of what gave no item."""
+    """Return the record of a range: its requests, and its positions without items."""
     requests = [(outcome, config.request(outcome.position)) for outcome in outcomes]
     wanted = [((r.mode, each.wanted, r.recipe), 1) for each, r in requests if each.wanted]
     failed = [RefusedPosition.of(each.position, r, each.failure) for each, r in requests if each.failure]
@@ -201,7 +198,7 @@ def _why(rejected: Counts) -> str:
 
 
 def _behind_last_item(journal: Journal) -> int:
-    """Return the position behind the last one that holds an item."""
+    """Return the position after the last one with an item."""
     for number in reversed(range(journal.shards)):
         positions = marks_of(journal, number).table[:, POSITION]
         if len(positions):
@@ -210,7 +207,7 @@ def _behind_last_item(journal: Journal) -> int:
 
 
 def _leave_doubles_out(journal: Journal) -> None:
-    """Write shards again without what a lower position makes superfluous."""
+    """Rewrite shards without duplicates of items at lower positions."""
     read = partial(marks_of, journal)
     for number, found in doubles(read, journal.shards, journal.positions, journal.plan.config.distance):
         _leave_out(journal, number, found)
@@ -229,7 +226,7 @@ def _leave_out(journal: Journal, number: int, found: Sequence[Double]) -> None:
 def _left_out(
     before: Sequence[RefusedPosition], config: Config, found: Sequence[Double]
 ) -> tuple[RefusedPosition, ...]:
-    """Return those of a shard that were left out before, and more of them, in order."""
+    """Return the removed positions of a shard, earlier and new ones, in order."""
     more = [
         RefusedPosition.of(
             each.position,

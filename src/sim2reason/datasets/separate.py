@@ -1,4 +1,4 @@
-"""A problem with several parts as several problems, each with the answers to the parts before it."""
+"""Splitting of a multi-part problem into separate problems, each with the answers to earlier parts."""
 
 from sim2reason.generation.item import Answer, Item, QuestionPart
 from sim2reason.grading.parts import LABELS
@@ -9,9 +9,9 @@ from sim2reason.solutions.algebra.digits import DIGITS
 
 
 def separated(item: Item) -> tuple[Item, ...]:
-    """Each part as an item of its own, whose prompt gives the answers to the parts before; any other item by itself.
+    """Return each part as an item whose prompt contains the answers to earlier parts; other items unchanged.
 
-    Their ids are that of the item with the label of the part: ``pulley-easy-multipart-0-4-a``.
+    The id of each is that of the item with the label of the part: ``pulley-easy-multipart-0-4-a``.
     """
     if not item.parts:
         return (item,)
@@ -39,5 +39,5 @@ def _single(item: Item, number: int, prompt: str) -> Item:
 
 
 def _told(answer: Answer) -> str:
-    """Return a number with its unit, to the digits with which the solutions of later parts use it."""
+    """Return a number with its unit, to the digits that solutions of later parts use."""
     return join_unit(said([answer.value], DIGITS)[0].replace("-", MINUS), answer.unit)

@@ -1,4 +1,4 @@
-"""Shards of a dataset: their files and records, written, read back and extended."""
+"""Shards of a dataset: writing, reading and extension of their files and records."""
 
 from collections.abc import Generator, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -26,10 +26,7 @@ BySplit = Mapping[str, Sequence[Item]]
 
 
 def write(out: Path, scratch: Path, number: int, total: int, items: BySplit) -> tuple[ShardFile, ...]:
-    """Put the files of the `number`-th of so many shards: one for each split that has an item in it.
-
-    Readers of the Hugging Face hub refuse a dataset that has a file without rows.
-    """
+    """Write the files of a shard, one for each split with items, since the Hub rejects files without rows."""
     named = {split: file_name(number, total, split) for split in items}
     for split, found in items.items():
         if not found:
@@ -43,7 +40,7 @@ def _write(out: Path, scratch: Path, name: str, split: str, items: Sequence[Item
 
 
 def counts(items: BySplit) -> dict[str, Counts]:
-    """Return how many items there are of each recipe, difficulty, mode, kind, needs, quantity and split."""
+    """Return the numbers of items by recipe, difficulty, mode, kind, needs, quantity and split."""
     of_items = [
         {by: str(getattr(item, by)) for by in COUNTED} | {"quantity": item.asked.quantity} for item in flat(items)
     ]
@@ -57,7 +54,7 @@ def flat(items: BySplit) -> list[Item]:
 
 
 def read(out: Path, file: ShardFile, places: Sequence[int] | None = None) -> list[Item]:
-    """Return the items of one file, or those at some places, in order; DatasetError if it is not as it was written."""
+    """Return the items of one file, or those at some indices, in order; DatasetError if the file is damaged."""
     with _checked(out, file) as path:
         return store.read(path, places)
 
@@ -65,7 +62,7 @@ def read(out: Path, file: ShardFile, places: Sequence[int] | None = None) -> lis
 def rows(
     out: Path, file: ShardFile, columns: Sequence[str], places: Sequence[int] | None = None
 ) -> Iterator[store.Row]:
-    """Some columns of one file, row by row, at all its places or some; DatasetError if it is not as it was written."""
+    """Yield some columns of one file, row by row, at all or some indices; DatasetError if damaged."""
     with _checked(out, file) as path:
         yield from store.rows(path, columns, places)
 
@@ -84,7 +81,7 @@ def _checked(out: Path, file: ShardFile) -> Generator[Path, None, None]:
 
 
 def items(out: Path, shard: Shard, split: str | None = None) -> Iterator[Item]:
-    """Return the items of one shard, by default of all its splits, one after the other."""
+    """Yield the items of one shard, of one split or all."""
     return (item for file in shard.files if split in (None, file.split) for item in read(out, file))
 
 
@@ -93,7 +90,7 @@ Placed = Sequence[tuple[int, Item]]
 
 
 def put_shard(journal: Journal, shard: Shard, items: Placed) -> None:
-    """Write the files of a shard that holds `items`, then its record, which is `shard` with what hangs on them."""
+    """Write the files of a shard with `items`, then its record with the data that depends on them."""
     config = journal.plan.config
     homes = [(split_of(item, config.split), item) for _, item in items]
     by_split = {name: [item for home, item in homes if home == name] for name in config.split}
@@ -108,7 +105,7 @@ def put_shard(journal: Journal, shard: Shard, items: Placed) -> None:
 
 
 def lengthened(shard: Shard, by: Shard) -> Shard:
-    """Return the record of the positions of a shard and those behind them, but for what hangs on its items."""
+    """Return the record of two adjacent ranges, without the data that depends on items."""
     refused = {kind: (*getattr(shard, kind), *getattr(by, kind)) for kind in REFUSALS}
     changed = {
         "positions": (shard.positions[0], by.positions[1]),
@@ -119,7 +116,7 @@ def lengthened(shard: Shard, by: Shard) -> Shard:
 
 
 def shard_of(journal: Journal, number: int) -> Shard:
-    """Return the record of a shard that stands."""
+    """Return the record of a finished shard."""
     shard = journal.shard(number)
     if shard is None:
         raise DatasetError(f"{journal.folder}: the record of shard {number} is gone; give the same command again")
@@ -134,7 +131,7 @@ def items_of(journal: Journal, shard: Shard) -> list[tuple[int, Item]]:
 
 
 def marks_of(journal: Journal, number: int) -> Marks:
-    """Return what no other item may share with those of a shard, read from its files where it was not kept."""
+    """Return the duplicate marks of a shard, computed from its files if not stored."""
     known, shard = journal.marks(number), shard_of(journal, number)
     if known is None or len(known.table) != shard.rows:
         known = marks(items_of(journal, shard), scenes=len(journal.plan.config.split) > 1)
@@ -143,7 +140,7 @@ def marks_of(journal: Journal, number: int) -> Marks:
 
 
 class ItemFiles(Sequence[Item]):
-    """Lazy sequence of the items of a dataset or of one of its splits, in their order in the dataset.
+    """A lazy sequence of the items of a dataset or of one of its splits, in order.
 
     The files are read one at a time, and the items of the last file are kept. A damaged file raises a DatasetError
     that names it.
@@ -165,7 +162,7 @@ class ItemFiles(Sequence[Item]):
         return self._ends[-1] if self._ends else 0
 
     def __iter__(self) -> Iterator[Item]:
-        """Return an iterator over all items in order, which keeps a single file in memory."""
+        """Return an iterator over all items in order, with a single file in memory."""
         return (item for file in self._files for item in read(self.path, file))
 
     @overload

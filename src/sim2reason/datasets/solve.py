@@ -1,4 +1,4 @@
-"""The worked solution of a problem: of one that an id names, or of a question about a scene."""
+"""Worked solutions: of a problem with an id, or of a question about a scene."""
 
 from collections import Counter
 from collections.abc import Mapping
@@ -151,7 +151,7 @@ def _of_request(request: Request) -> SolvedProblem:
 
 
 def _of_scene(scene: Scene, question: str | None, seed: int) -> SolvedProblem:
-    """Return the solved problem of a question about a scene, in words; a question is drawn if none is given."""
+    """Return the solved problem of a question about a scene, in words; a random question if none is given."""
     motion = motion_of(scene)
     search = QuestionSearch(eventful(motion).study, seed)
     if question is None:
@@ -173,7 +173,7 @@ def _of_scene(scene: Scene, question: str | None, seed: int) -> SolvedProblem:
 
 
 def _of_structured(scene: Scene, parts: Mapping[str, object], seed: int) -> SolvedProblem:
-    """Return the solved problem of a question in parts, put as a sentence if the library has words for the question."""
+    """Return the solved problem of a structured question, rendered as a sentence if possible."""
     motion = motion_of(scene)
     search = QuestionSearch(motion.study, seed)
     asked = StructuredQuestion.read(parts)

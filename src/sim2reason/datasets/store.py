@@ -1,4 +1,4 @@
-"""Items on disk: Parquet with a fixed schema, so that equal items give equal bytes."""
+"""Storage of items in Parquet with a fixed schema; equal items give equal bytes."""
 
 # pyarrow ships no types; it is used for data in this one module of the package, which speaks types to the others:
 # pyright: reportMissingTypeStubs=false, reportUnknownMemberType=false
@@ -102,7 +102,7 @@ Row = dict[str, Any]
 
 
 def write(path: Path, items: Sequence[Item]) -> None:
-    """Write a file: the same items give the same bytes with the same pyarrow."""
+    """Write a file; equal items give equal bytes with the same pyarrow."""
     table = pa.Table.from_pylist([_row(item) for item in items], schema=SCHEMA)
     # all that decides about bytes is said here, and none of it depends on the clock or the machine's cores
     with path.open("wb") as file:  # by its own name pyarrow opens only what is UTF-8
@@ -110,13 +110,13 @@ def write(path: Path, items: Sequence[Item]) -> None:
 
 
 def read(path: Path, places: Sequence[int] | None = None) -> list[Item]:
-    """Return the items of one file, or those at some places of it, in order; OSError or ValueError if it is damaged."""
+    """Return the items of one file, or those at some indices, in order; OSError or ValueError if damaged."""
     with _opened(path) as file:
         return [Item.model_validate(row) for row in _taken(file.read(use_threads=False), places).to_pylist()]
 
 
 def rows(path: Path, columns: Sequence[str], places: Sequence[int] | None = None) -> Iterator[Row]:
-    """Some columns of one file (``recipe``, ``asked.quantity``), row by row; places and errors are those of `read`."""
+    """Yield some columns (``recipe``, ``asked.quantity``) of one file, row by row."""
     with _opened(path) as file:
         table = file.read(columns=list(columns), use_threads=False)
         for batch in _taken(table, places).to_batches(max_chunksize=BATCH):
@@ -124,7 +124,7 @@ def rows(path: Path, columns: Sequence[str], places: Sequence[int] | None = None
 
 
 def count(path: Path) -> int:
-    """Return the number of rows that a file says it has; OSError or ValueError if it is damaged."""
+    """Return the number of rows in a file's metadata; OSError or ValueError if damaged."""
     with _opened(path) as file:
         return file.metadata.num_rows
 
@@ -135,7 +135,7 @@ def _taken(table: Any, places: Sequence[int] | None) -> Any:  # noqa: ANN401 - p
 
 @contextmanager
 def _opened(path: Path) -> Generator[Any, None, None]:
-    """A file to be read without threads: theirs let go of it a moment late, and abort a Python that ends meanwhile."""
+    """Open a file for reading without threads, which could abort Python at exit."""
     try:
         with path.open("rb") as file:
             yield pq.ParquetFile(file, pre_buffer=False)

@@ -1,4 +1,4 @@
-"""Some items of a finished dataset as a dataset of its own."""
+"""Writing of a subset of a finished dataset as a new dataset."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -15,10 +15,10 @@ __all__ = ["put_subset"]
 
 
 def put_subset(source: Dataset, out: Path, keeps: Callable[[Item], bool], filter_name: str, why: str) -> Manifest:
-    """Write the items that `keeps` keeps into the folder `out`, shard by shard, and the manifest last.
+    """Write the items that `keeps` accepts into the folder `out`, shard by shard, and the manifest last.
 
-    Items stay in their shards, so that ids are found as before; those that go are counted under `filter_name`, by
-    recipe, and the card says `why`.
+    Items stay in their shards, so that they are found by their ids as before; removed ones are counted under
+    `filter_name`, by recipe, and the card states `why`.
     """
     out.mkdir(parents=True, exist_ok=True)
     sweep(out)
@@ -47,7 +47,7 @@ def put_subset(source: Dataset, out: Path, keeps: Callable[[Item], bool], filter
 
 
 def _subset(source: Dataset, out: Path, shard: Shard, keeps: Callable[[Item], bool]) -> tuple[Shard, list[Item]]:
-    """Return a shard without what goes, and that. Its cells still say what was asked for and made."""
+    """Return a shard without the removed items, and these items."""
     held = {file.split: shard_files.read(source.path, file) for file in shard.files}
     kept = {split: [item for item in items if keeps(item)] for split, items in held.items()}
     changed = {

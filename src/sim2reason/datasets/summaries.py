@@ -1,4 +1,4 @@
-"""Sample problems of a dataset, and its statistics."""
+"""Sample problems and statistics of a dataset."""
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
@@ -87,11 +87,11 @@ def _some(data: Dataset, items: int, wanted: Mapping[str, Sequence[str]], split:
 
 COUNTED = "recipe", "difficulty", "mode", "kind", "needs", "shape"
 COLUMNS = *COUNTED, "asked.quantity", "prompt", "answer.value", "answer.unit"
-DIGITS = 3  # of numbers whose middle is sought: as many as a prompt asks for
+DIGITS = 3  # of numbers for the median, as many as a prompt requests
 
 
 class Spread(Record):
-    """The least, median and greatest of some numbers; the median is rounded to three digits."""
+    """The minimum, median and maximum of some numbers; the median is rounded to three digits."""
 
     items: int
     least: float
@@ -104,7 +104,7 @@ class Spread(Record):
 
 
 class Stats(Record):
-    """The contents of a dataset, counted.
+    """The statistics of a dataset.
 
     Attributes:
         items: Number of items.
@@ -121,7 +121,7 @@ class Stats(Record):
     answers: dict[str, Spread]
 
     def __repr__(self) -> str:
-        """Return the number of items and of refused draws."""
+        """Return the number of items and of rejected draws."""
         return f"<Stats: {counted(self.items, 'item')}, {counted(sum(self.refused.values()), 'refused draw')}>"
 
     def __str__(self) -> str:
@@ -134,7 +134,7 @@ class Stats(Record):
 
 
 class _Numbers:
-    """Numbers of which only the extremes and a rounded histogram are kept."""
+    """The extremes and a rounded histogram of numbers."""
 
     def __init__(self) -> None:
         self.least, self.greatest = float("inf"), float("-inf")

@@ -1,4 +1,4 @@
-"""Find what is wrong with a dataset on disk."""
+"""Verification of a dataset on disk."""
 
 from pathlib import Path
 

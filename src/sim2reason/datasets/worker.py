@@ -1,4 +1,4 @@
-"""What runs in a worker process: it makes items, batch after batch, and dies with its parent."""
+"""The worker process: it makes items, batch after batch, and exits with its parent."""
 
 import gc
 import os
@@ -15,7 +15,7 @@ from sim2reason.errors import DatasetError
 from sim2reason.generation.item import Item
 from sim2reason.generation.request import Made, Maker, Request, load_maker
 
-YOUNG = 20_000  # objects more than before, after which the cycles among the new ones are looked for
+YOUNG = 20_000  # new objects after which the garbage collector runs
 
 Batch = Sequence[tuple[int, Request]]
 """Positions and their requests."""
@@ -23,7 +23,7 @@ Batch = Sequence[tuple[int, Request]]
 
 @dataclass(frozen=True, slots=True)
 class Attempt:
-    """What became of one position: an item, or none; `failure` says what was raised."""
+    """The result for one position: an item or None, and the error as `failure`."""
 
     position: int
     item: Item | None
@@ -39,9 +39,9 @@ Message = list[Attempt] | DatasetError | None
 
 
 def serve(pipe: "Connection[Message, Batch]", maker: str, modules: Sequence[str] = ()) -> None:
-    """Answer each batch that comes through `pipe`, until its other end is closed.
+    """Process the batches from `pipe` until its other end is closed.
 
-    `modules` are imported first: modules outside the library whose members a maker may ask for.
+    `modules` outside the library, which register members for the maker, are imported first.
     """
     for number in SIGNALS:
         signal.signal(number, signal.SIG_IGN)  # the parent is interrupted, and decides
@@ -73,9 +73,9 @@ def _import(module: str) -> None:
 
 
 def collect_seldom() -> None:
-    """Let the collector of garbage pass over what was loaded, which stays, and look at what is new less often.
+    """Exclude loaded objects from garbage collection, and collect new ones less often.
 
-    It took a twelfth of the time that items take.
+    Collection took a twelfth of the time of an item.
     """
     gc.collect()
     gc.freeze()
@@ -83,7 +83,7 @@ def collect_seldom() -> None:
 
 
 def outcome(make: Maker, position: int, request: Request) -> Attempt:
-    """Make one item; an error that is raised becomes a failure, so that one defect does not end a long run."""
+    """Make one item; an exception becomes a recorded failure, so that a long run continues."""
     begun = time.perf_counter()
     return replace(_attempt(make, position, request), seconds=time.perf_counter() - begun)
 

@@ -1,4 +1,4 @@
-"""A pass of a policy over a dataset: every problem is asked a few times, and each answer is on disk at once.
+"""A pass of a policy over a dataset: several answers to every problem, each on disk immediately.
 
     OUT/plan.json       the dataset, the policy, and the seed of its samples
     OUT/samples.jsonl   every answer, one line each
@@ -31,7 +31,7 @@ PolicySource = Policy | Mapping[str, object] | Path | str
 
 
 class PolicyPass(Record):
-    """What decides the answers."""
+    """The dataset, policy and seed that determine the answers of a pass."""
 
     dataset: str
     """The SHA-256 of its manifest."""
@@ -50,10 +50,10 @@ def asked(
     seed: int,
     advance: Callable[[int], object],
 ) -> Generator[PolicyPass]:
-    """Hold the folder `out` in which each of `items` of a dataset has been answered `k` times.
+    """Return a context with the folder `out`, in which every item has been answered `k` times.
 
-    What was answered before is not asked again: with more tries, further items or after a kill, the same call goes on.
-    `advance` is told how many more answers are finished.
+    Existing answers are reused: with more tries, further items or after a kill, the same call continues. `advance`
+    receives the numbers of newly finished answers.
 
     Raises:
         EvaluationError: a folder that holds something else, or tries that got no answer.
@@ -80,7 +80,7 @@ def _policy(given: PolicySource) -> Policy:
 
 
 def _claim(out: Path, plan: PolicyPass, policy: Policy) -> None:
-    """Write the plan into an empty folder, or in place of one without any answer, or go on with the same one."""
+    """Write the plan into an empty folder or over a plan without answers, or continue with an equal plan."""
     file = out / PLAN
     if not file.is_file():
         if strangers := sorted(path.name for path in out.iterdir()):

@@ -1,4 +1,4 @@
-"""The solvable filter: problems that a policy solves sometimes, neither never nor always.
+"""The solvable filter: problems that a policy solves in some of several tries.
 
 A policy's answers are no function of a problem, so this is no filter of the maker but a pass over a finished dataset,
 whose result is a folder with hashes of all that it rests on:
@@ -29,7 +29,7 @@ TRIES, BETWEEN = 8, (0.1, 0.9)
 
 
 class PassRate(Record):
-    """How often a policy solved a problem."""
+    """The pass rate of a policy on one problem."""
 
     id: str
     right: int
@@ -38,12 +38,12 @@ class PassRate(Record):
 
     @property
     def rate(self) -> float:
-        """The share of right answers."""
+        """Return the fraction of correct answers."""
         return self.right / self.tries
 
 
 class Solvable(Record):
-    """What a pass has found; ``solvable.json``."""
+    """The result of a pass, stored in ``solvable.json``."""
 
     plan: PolicyPass
     tries: int
@@ -68,10 +68,10 @@ def solvable(
     seed: int = 0,
     advance: Callable[[int], object] = lambda _: None,
 ) -> Solvable:
-    """Keep the problems of `dataset` that `policy` solves in a share of `k` tries strictly `between` two bounds.
+    """Keep the problems whose pass rate over `k` tries is strictly `between` two bounds.
 
-    `policy` may be a YAML file with its settings. What was answered before is not asked again: with more tries, other
-    bounds or after a kill, the same call goes on. `advance` is told how many more answers are finished.
+    `policy` may be a YAML file of settings. Existing answers are reused: with more tries, other bounds or after a kill,
+    the same call continues. `advance` receives the numbers of newly finished answers.
 
     Raises:
         EvaluationError: bounds or a number of tries that make no sense, or a folder that holds something else.
@@ -87,7 +87,7 @@ def solvable(
 
 
 def _finished(source: Dataset, out: Path, plan: PolicyPass, k: int, between: tuple[float, float]) -> Solvable:
-    """Grade all answers, and write what follows from them."""
+    """Grade all answers, and write the results and the kept problems."""
     (out / RESULT).unlink(missing_ok=True)
     rates = {rate.id: rate for rate in _rates(source, out / SAMPLES, k, between)}
     put_text(out / RATES, "".join(f"{rate.model_dump_json()}\n" for rate in rates.values()), out)

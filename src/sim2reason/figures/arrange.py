@@ -1,7 +1,7 @@
-"""Where pieces stand: lengths of strings, and which way things face, are chosen until nothing is in the way.
+"""Layout search: chooses lengths of strings and orientations of pieces so that nothing overlaps.
 
-Strings never close a ring, so any choice of lengths can be drawn; a search looks for one without overlaps, small
-and level. It is counted in steps and draws from a fixed seed: the same scene always looks the same.
+Strings never form closed loops, so any choice of lengths is possible; the search minimises overlaps, size and uneven
+levels. Its effort is counted in steps and its random seed is fixed, so that a scene always looks the same.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -13,10 +13,10 @@ from sim2reason.figures.paths import Strand, has_faces
 from sim2reason.figures.pieces import Bend, DrawingPlan, Piece
 from sim2reason.figures.vectors import RIGHT, UP, mirrored
 
-LINK = (0.55, 0.8, 1.2, 2.0)  # between neighbouring blocks
-NEAR = (0.45, 0.9, 1.6, 2.6, 4.0, 6.0, 8.5)  # from the end of a face to the next thing
-FREE = (1.5, 2.1, 2.8, 3.7, 4.8, 6.2, 8.0, 10.5, 13.5)  # anywhere else
-WIDER = (1.0, 1.6, 2.4)  # times the usual radius, of pulleys with parallel strands
+LINK = (0.55, 0.8, 1.2, 2.0)  # lengths tried between neighbouring blocks
+NEAR = (0.45, 0.9, 1.6, 2.6, 4.0, 6.0, 8.5)  # lengths tried from the end of a face to the next piece
+FREE = (1.5, 2.1, 2.8, 3.7, 4.8, 6.2, 8.0, 10.5, 13.5)  # lengths tried elsewhere
+WIDER = (1.0, 1.6, 2.4)  # factors on the radius of pulleys with parallel strands
 ROUNDS, PATIENCE, GOOD = 14, 4, 60.0  # restarts of the search, how many may bring nothing, and when that is enough
 FLIPPED, LONGER, WIDENED, LEAST = 0.6, 0.12, 1.5, 1e-9  # what it costs to turn, lengthen, enlarge; the least gain
 
@@ -26,7 +26,7 @@ Choice = tuple[int, ...]
 
 
 class Arranger:
-    """The search for one connected part of a scene."""
+    """The layout search for one connected part of a scene."""
 
     def __init__(
         self,
@@ -35,7 +35,7 @@ class Arranger:
         strands: Sequence[Strand],
         make: Callable[[str, DrawingPlan], Piece],
     ) -> None:
-        """`names` are pieces, `strands` those between or inside them."""
+        """Store the names of the pieces and the strands between or inside them."""
         self.plan, self.names, self.strands, self.make = plan, names, strands, make
         self.outer = [strand for strand in strands if not strand.inner]
         self.groups = self._mirror_groups()
@@ -50,7 +50,7 @@ class Arranger:
     # -- what can be turned round ------------------------------------------------------------------
 
     def _mirror_groups(self) -> list[frozenset[str]]:
-        """Pieces that must face the same way, since a slanting or level strand joins them directly."""
+        """Return the groups of pieces that must face the same way because an inclined or level strand joins them."""
         leader = {name: name for name in self.names}
         for strand in self.outer:
             if (
@@ -74,13 +74,13 @@ class Arranger:
         return name in self.plan.paths.home.values() or has_faces(self.plan.scene.bodies.get(name))
 
     def _swaps(self) -> list[str]:
-        """Pulleys, and strands that may run anywhere: by name what can be swapped left for right."""
+        """Return the names of the pulleys and free strands whose left and right sides can be exchanged."""
         rims = dict.fromkeys(k.item for s in self.outer for k in (s.a, s.b) if k.rim and not self._directed(k.piece))
         free = [_key(strand) for strand in self.outer if strand.way is None]
         return [*rims, *free]
 
     def _wheels(self) -> list[str]:
-        """Pulleys that may be drawn larger, to keep apart what hangs on their two sides."""
+        """Return the names of the pulleys that may be enlarged to separate the bodies on their two sides."""
         return list(
             dict.fromkeys(k.piece for s in self.outer for k in (s.a, s.b) if k.rim and not self._directed(k.piece))
         )
@@ -88,7 +88,7 @@ class Arranger:
     # -- one try -----------------------------------------------------------------------------------
 
     def ways(self, turned: frozenset[str], swapped: frozenset[str]) -> list[complex]:
-        """Return the directions of all strands, in order; those that may run anywhere get one."""
+        """Return the directions of all strands in order, with a chosen direction for each free strand."""
         known = [self._turned(strand, turned) for strand in self.strands]
         return [way if way is not None else self._free(number, known, swapped) for number, way in enumerate(known)]
 
@@ -99,7 +99,7 @@ class Arranger:
         return mirrored(strand.way) if strand.a.piece in turned or strand.b.piece in turned else strand.way
 
     def _free(self, number: int, known: Sequence[complex | None], swapped: frozenset[str]) -> complex:
-        """A way for a strand between pulleys, hands and hooks: level between pulleys, else down, else to a side."""
+        """Choose the direction of a strand between pulleys, hands and hooks: level, else down, else sideways."""
         strand = self.strands[number]
         side = -1.0 if _key(strand) in swapped else 1.0
         if strand.a.rim and strand.b.rim:
@@ -113,7 +113,7 @@ class Arranger:
         return self.strands[one].string == self.strands[other].string
 
     def _leaves_up(self, number: int, way: complex) -> bool:
-        """Return whether the neighbour of a free strand leaves the pulley between them upwards."""
+        """Return whether a neighbouring free strand leaves the common pulley upwards."""
         return (way.imag > 0.0) != self.strands[number].a.rim
 
     def _bent(
@@ -123,7 +123,7 @@ class Arranger:
         turned: frozenset[str] = frozenset(),
         swapped: frozenset[str] = frozenset(),
     ) -> DrawingPlan:
-        """Return the plan with every bend and end that follows from the directions."""
+        """Return the plan with all bends and ends of strings that follow from the directions."""
         bends: dict[str, Bend] = {}
         ends: dict[str, tuple[complex, ...]] = {}
         before: tuple[Strand, complex] | None = None
@@ -137,7 +137,7 @@ class Arranger:
         return replace(plan, bends=bends, ends=ends, mirrored=turned)
 
     def pose(self, choice: Choice) -> Pose:
-        """Return how all pieces look when some things are turned round and some pulleys are larger."""
+        """Return the shapes of all pieces for a choice of orientations and pulley sizes."""
         flips, wider = choice[: self.flips], choice[self.flips + len(self.outer) :]
         if (flips, wider) not in self._poses:
             turned = frozenset[str]().union(*(group for group, flip in zip(self.groups, flips, strict=False) if flip))
@@ -149,7 +149,7 @@ class Arranger:
         return self._poses[flips, wider]
 
     def _lengths(self, strand: Strand) -> tuple[float, ...]:
-        """Return the lengths that a strand may have, beyond what runs over its pieces."""
+        """Return the candidate lengths of a strand, excluding the part on its pieces."""
         bodies = self.plan.scene.bodies
         ends = [bodies.get(knot.piece) for knot in (strand.a, strand.b)]
         if all(not knot.rim and body is not None for knot, body in zip((strand.a, strand.b), ends, strict=True)):
@@ -158,7 +158,7 @@ class Arranger:
         return NEAR if sloped else FREE
 
     def place(self, choice: Choice) -> Layout:
-        """Go from piece to piece along the strands."""
+        """Place all pieces by following the strands from piece to piece."""
         pose = self.pose(choice)
         outer = [joint for joint in pose.joints if not joint.strand.inner]
         numbers = choice[self.flips : self.flips + len(outer)]
@@ -180,7 +180,7 @@ class Arranger:
     # -- the search --------------------------------------------------------------------------------
 
     def best(self) -> Layout:
-        """Return the best layout of several descents, the first of them from the shortest strands."""
+        """Return the best layout of several descents; the first one starts from the shortest strands."""
         random = Random(0)  # noqa: S311 - it chooses where to look
         found = self._descend((0,) * len(self.counts))
         idle = 0
@@ -194,13 +194,13 @@ class Arranger:
         return found
 
     def _drawn(self, random: Random) -> Iterator[int]:
-        """Yield a random choice: short strands, small wheels."""
+        """Yield a random choice, biased to short strands and small pulleys."""
         for number, count in enumerate(self.counts):
             wheel = number >= self.flips + len(self.outer)
             yield int(random.random() * (1.3 if wheel else min(4, count)))
 
     def _descend(self, choice: Choice) -> Layout:
-        """Better each part of a choice in turn until none can be bettered."""
+        """Improve each component of a choice in turn until no change reduces the cost."""
         layout, better = self.place(choice), True
         while better:
             better = False

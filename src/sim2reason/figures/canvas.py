@@ -1,4 +1,4 @@
-"""Shapes on paper: the one place, with `plot` and `histogram`, that knows matplotlib."""
+"""Output of shapes with matplotlib, which only this module, `plot` and the histograms import."""
 
 # pyright: reportUnknownMemberType=false
 # matplotlib leaves its keyword arguments untyped.
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from matplotlib.patches import Patch
 
-INCH = 0.42  # of a unit
+INCH = 0.42  # inches per unit of a drawing
 MARGIN = 0.35  # units around everything
 ON_TOP = 10_000  # labels lie over all shapes
 WIDTHS = {"hair": 0.6, "thin": 0.8, "edge": 1.1, "string": 1.4, "rod": 2.6, "dots": 1.7}  # points
@@ -56,13 +56,13 @@ METADATA: dict[str, dict[str, Any]] = {
 
 
 def matplotlib() -> Any:  # noqa: ANN401 - a module
-    """Return the package; MissingExtraError says how to get it."""
+    """Return the matplotlib package; MissingExtraError, with the install command, if it is missing."""
     return optional("matplotlib", "figures")
 
 
 @contextmanager
 def settings(more: Mapping[str, object] | None = None) -> Generator[None, None, None]:
-    """Return what all our figures are made with, whatever else somebody has set; MissingExtraError as `matplotlib`."""
+    """Apply the matplotlib settings of all figures in a context, regardless of the user's settings."""
     package = matplotlib()
     with package.rc_context():
         package.rcdefaults()
@@ -106,7 +106,7 @@ def _page(drawing: Drawing) -> "Figure":
 
 
 def check(path: Path) -> str:
-    """Return the format that a path asks for; UnsupportedError for another than we write."""
+    """Return the file format by the suffix of a path; UnsupportedError for an unsupported one."""
     ending = path.suffix.removeprefix(".").lower()
     if ending not in FORMATS:
         raise UnsupportedError(f"{path}: no such format for a figure; end the name in .svg, .png or .pdf")
@@ -114,13 +114,13 @@ def check(path: Path) -> str:
 
 
 def save(figure: "Figure", path: Path, dpi: int) -> None:
-    """Write a figure, the same bytes every time."""
+    """Write a figure to a file, with identical bytes on every run."""
     ending = check(path)
     figure.savefig(path, format=ending, dpi=dpi, metadata=METADATA[ending], facecolor="white")
 
 
 def as_png(figure: "Figure", dpi: int) -> bytes:
-    """Return the bytes of a figure as PNG, the same every time."""
+    """Return the PNG bytes of a figure, identical on every run."""
     buffer = BytesIO()
     figure.savefig(buffer, format="png", dpi=dpi, metadata=METADATA["png"], facecolor="white")
     return buffer.getvalue()
@@ -139,7 +139,7 @@ def _shape(axes: "Axes", shape: Shape, order: int) -> None:
 
 
 def _patch(shape: Shape, order: int) -> "Patch":
-    """Everything but plain lines."""
+    """Return the matplotlib patch of a filled or curved shape."""
     from matplotlib import patches  # noqa: PLC0415 - the same
     from matplotlib.path import Path as Path2D  # noqa: PLC0415 - the same
 

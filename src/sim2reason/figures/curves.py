@@ -1,4 +1,4 @@
-"""Curves of a plot of a motion, and trajectories in the plane of the axes."""
+"""Curves of the quantities of a motion over time, and trajectories in the plane of the axes."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -19,7 +19,7 @@ from sim2reason.text.prose.description import Description
 
 @dataclass(frozen=True)
 class Trajectory:
-    """Where the centre of mass of a body goes: coordinates along two axes, from the origin of its entity."""
+    """The path of a body's centre of mass: coordinates along two axes, from the origin of its entity."""
 
     body: str
     name: str
@@ -29,7 +29,7 @@ class Trajectory:
 
 @dataclass(frozen=True)
 class Trajectories:
-    """Those of one entity, in one plane."""
+    """The trajectories of one entity in one plane."""
 
     across: str
     up: str
@@ -37,7 +37,7 @@ class Trajectories:
 
 
 def trajectories(state: State, mentions: Mapping[str, str], origins: Mapping[str, Vector]) -> tuple[Trajectories, ...]:
-    """By entity the paths of all bodies for whose two directions the text has axes."""
+    """Return the trajectories, by entity, of all bodies with two directions along axes named in the text."""
     of, found = Bodies(), dict[tuple[str, str, str], list[Trajectory]]()
     unit = show_unit(state.mechanism.units.length)
     for name, phrase in of.phrases(state.mechanism, mentions).items():
@@ -52,15 +52,15 @@ def trajectories(state: State, mentions: Mapping[str, str], origins: Mapping[str
 
 
 SAMPLES = 400
-MOST = 8  # curves of a panel
+MOST = 8  # curves in a panel
 STILL, STRAIGHT = 1e-9, 1e-9
 FIXED = "a fixed point"
-SIZES = {"velocity": "speed", "displacement": "distance from the start"}  # of vectors that turn
+SIZES = {"velocity": "speed", "displacement": "distance from the start"}  # magnitudes of vectors
 
 
 @dataclass(frozen=True)
 class Curve:
-    """One line of a panel, before the cut and after it."""
+    """One line of a panel, with its values before and after the cut."""
 
     name: str
     values: Array
@@ -68,7 +68,7 @@ class Curve:
 
 @dataclass(frozen=True)
 class Panel:
-    """A quantity of all that have it."""
+    """The curves of one quantity for all subjects that have it."""
 
     title: str
     curves: tuple[Curve, ...]
@@ -76,7 +76,7 @@ class Panel:
 
 @dataclass(frozen=True)
 class Mark:
-    """An event with its words, and the bodies that have part in it."""
+    """An event with its description and the bodies involved."""
 
     time: float  # s
     text: str
@@ -85,7 +85,7 @@ class Mark:
 
 @dataclass(frozen=True)
 class MotionCurves:
-    """All that a plot shows."""
+    """All data of a plot of a motion: panels, trajectories and events."""
 
     times: Array  # s
     panels: tuple[Panel, ...]
@@ -98,7 +98,7 @@ class MotionCurves:
 
 
 def motion_curves(trace: Trace, description: Description) -> MotionCurves:
-    """Return the curves of a trace, by the names of a text; those that never differ from zero are left out."""
+    """Return the curves of a trace with the names of a description; curves that are always zero are omitted."""
     mentions = {address: description.mention(address) for address in description.scene.bodies}
     duration = float(trace.state.times[-1])
     times = instants(trace, duration)
@@ -115,7 +115,7 @@ def motion_curves(trace: Trace, description: Description) -> MotionCurves:
 
 
 def instants(trace: Trace, duration: float) -> Array:
-    """Equal steps up to where the trace may be used, and both sides of every event, so that jumps look like jumps."""
+    """Return equally spaced times up to the end of validity, with both sides of every event, s."""
     end = min(trace.stable_until, duration)
     grid = np.linspace(0.0, end, max(2, round(SAMPLES * end / duration)))
     events = np.array([event.time for event in trace.events if 0.0 < event.time <= end])
@@ -123,10 +123,10 @@ def instants(trace: Trace, duration: float) -> Array:
 
 
 def panels(state: State, mentions: dict[str, str], said: frozenset[str] | None = None) -> tuple[Panel, ...]:
-    """Return a panel for every quantity that is plotted and that something of the text has; some share one.
+    """Return a panel for each plotted quantity that the text mentions; some quantities share a panel.
 
-    What is zero throughout is left out. `said` has the paths of the numbers of the text: of what needs another one
-    there is no curve; None stands for all.
+    Curves that are always zero are omitted. `said` contains the addresses of the stated numbers: a quantity that needs
+    others is omitted; None allows all.
     """
     found: dict[str, list[tuple[str, Curve]]] = {}
     for quantity in ordered():
@@ -139,7 +139,7 @@ def panels(state: State, mentions: dict[str, str], said: frozenset[str] | None =
 
 
 def _told_apart(curves: list[tuple[str, Curve]]) -> tuple[Curve, ...]:
-    """With the names of the quantities, where two of them share the panel and a subject."""
+    """Return the curves with the names of their quantities where two quantities share a panel and subject."""
     names = [curve.name for _, curve in curves]
     return tuple(
         replace(curve, name=f"{curve.name}, {quantity}") if names.count(curve.name) > 1 else curve
@@ -148,20 +148,20 @@ def _told_apart(curves: list[tuple[str, Curve]]) -> tuple[Curve, ...]:
 
 
 def _superfluous(panel: Panel, traced: set[str]) -> bool:
-    """Whether paths show it better, or there are so many pairs that no one can tell the curves from each other."""
+    """Return whether trajectories show a panel better, or it has too many pairs of bodies to be legible."""
     names = {curve.name for curve in panel.curves}
     return len(names) > MOST or (panel.title.startswith(SIZES["displacement"]) and names <= traced)
 
 
 def _shows(curves: tuple[Curve, ...]) -> bool:
-    """Return whether anything is not zero, or not determined, which is told."""
+    """Return whether any value is nonzero or undetermined."""
     return any(not np.isfinite(curve.values).any() or np.nanmax(np.abs(curve.values)) > STILL for curve in curves)
 
 
 def _curves(
     quantity: Quantity, state: State, mentions: dict[str, str], said: frozenset[str] | None
 ) -> Iterator[tuple[str, Curve]]:
-    """Yield the curves of a quantity with the titles of their panels, by subjects, or their sum."""
+    """Yield the panel titles and curves of a quantity, one for each subject, or one for their sum."""
     mechanism, of = state.mechanism, quantity.of
     names = {
         name: phrase
@@ -185,7 +185,7 @@ def _curves(
 
 
 def _part(values: Array, quantity: Quantity, state: State, name: str) -> tuple[str, str, Array]:
-    """A vector along the one line that it stays on, with its sense, else its size: the panel, the sense, the values."""
+    """Return the panel, sign convention and values of a vector: its component on a fixed line, else its magnitude."""
     ways, directions = quantity.of.senses(state.mechanism, name), quantity.of.directions(state.mechanism, name)
     if len(ways) == 1 and not ways[0].axis:
         return quantity.panel, f", {ways[0].positive}", values @ np.array(ways[0].vector)
@@ -199,7 +199,7 @@ def _part(values: Array, quantity: Quantity, state: State, name: str) -> tuple[s
 
 
 def _axle(values: Array) -> Array | None:
-    """The one line on which all of a vector's values lie, if it turns round as it changes: first they are positive."""
+    """Return the direction of the line that contains all values of a vector, positive at first; None without one."""
     sizes = np.linalg.norm(values, axis=1)
     if not np.isfinite(sizes).all() or sizes.max() <= STILL:
         return None
@@ -211,7 +211,7 @@ def _axle(values: Array) -> Array | None:
 
 
 def _forward(state: State, body: str, direction: Array) -> float:
-    """Return the sign that makes the first motion of a body positive: no text says which way is right."""
+    """Return the sign that makes the first motion of a body positive; the text defines no direction."""
     moved = QUANTITIES["displacement"].evaluate(state, body) @ direction
     first = moved[np.abs(moved) > STILL]
     return -1.0 if len(first) and first[0] < 0.0 else 1.0
@@ -223,7 +223,7 @@ def _worth(trace: Trace, duration: float) -> list[Event]:
 
 
 def _untold(event: Event, mechanism: Mechanism) -> bool:
-    """Return whether no text speaks of what turns back: one of two directions of a body that are no axes."""
+    """Return whether the text mentions neither of the directions in which a body reverses."""
     if event.kind != "turn" or not event.subjects or event.subjects[0] not in mechanism.number:
         return False
     own = mechanism.coordinates[mechanism.number[event.subjects[0]]]
@@ -251,7 +251,7 @@ VERBS = {
 
 
 def told(event: Event, mechanism: Mechanism, mentions: dict[str, str]) -> str:
-    """Return an event in the words of the text."""
+    """Return the description of an event in the words of the text."""
     said = [_subject(subject, mechanism, mentions) for subject in event.subjects if subject] or [""]
     said.sort(key=lambda phrase: 2 if phrase == FIXED else int("pulley" in phrase))  # a block meets a pulley
     if "component of" in said[0]:
@@ -262,13 +262,13 @@ def told(event: Event, mechanism: Mechanism, mentions: dict[str, str]) -> str:
 
 
 def _obstacle(event: Event, mechanism: Mechanism) -> str:
-    """Return what of the room a body hits."""
+    """Return the name of the fixed surface that a body hits."""
     normals = [m.normal for m in mechanism.meetings if m.a is None and m.b in event.subjects and m.normal is not None]
     return "the ground" if any(normal[2] > abs(normal[0]) + abs(normal[1]) for normal in normals) else "a wall"
 
 
 def _subject(name: str, mechanism: Mechanism, mentions: dict[str, str]) -> str:
-    """Return a body, string, coordinate or site in words."""
+    """Return the name of a body, string, coordinate or site in the text."""
     phrase = mentions.get(name) or strings(mechanism, mentions).get(name)
     if phrase:
         return phrase

@@ -1,4 +1,4 @@
-"""Drawing of the initial state of a scene, and the parts that are drawn together."""
+"""Drawing of the initial state of a scene, and division of the scene into separate parts."""
 
 import warnings
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -24,28 +24,28 @@ from sim2reason.text.prose.description import Description, describe
 
 @dataclass(frozen=True, slots=True)
 class Component:
-    """Entities and connections that hold together: `arranged` by name, and others to scale, group by group.
+    """Connected entities and connections: names of `arranged` ones, and groups that are drawn to scale.
 
-    What a group holds, connections between its entities included, is drawn in one piece.
+    The entities of a group, with the connections between them, are drawn as one piece.
     """
 
     arranged: frozenset[str]
     groups: tuple[frozenset[str], ...]
 
     def home(self) -> Mapping[str, str]:
-        """By entity that is drawn to scale the name of its piece."""
+        """Return the name of the piece of each entity that is drawn to scale."""
         return {name: min(group) for group in self.groups for name in group}
 
 
 def components(scene: Scene) -> list[Component]:
-    """Return all components of a scene, in the order of its entities."""
+    """Return all connected components of a scene, in the order of its entities."""
     joined = {f"{c.key}_{n}": [link.entity for link in c.links] for n, c in enumerate(scene.connections, start=1)}
     entities = [named.name for named in scene.entities]
     return [_component(scene, owners) for owners in _clusters([*entities, *joined], joined)]
 
 
 def _component(scene: Scene, owners: frozenset[str]) -> Component:
-    """Arranged, to scale, or both: then strings run from what is to scale to what is arranged."""
+    """Return the component of some entities: arranged, to scale, or both, joined by strings."""
     scaled = {name for name in owners if _is_entity(scene, name) and not _can_be_arranged(scene, name)}
     if not scaled:
         return Component(owners, ())
@@ -63,7 +63,7 @@ def _is_entity(scene: Scene, name: str) -> bool:
 
 
 def _can_be_arranged(scene: Scene, name: str) -> bool:
-    """Whether an entity says that its lengths don't matter, and all its bodies have a look that can be arranged."""
+    """Return whether an entity may be drawn with other lengths, and all its bodies have looks for that."""
     bodies = [body for address, body in scene.bodies.items() if address.startswith(f"{name}.")]
     return scene.entity(name).schematic and all(type(body.look) in PIECES for body in bodies)
 
@@ -77,7 +77,7 @@ def _ends(scene: Scene, name: str) -> frozenset[str]:
 
 
 def _clusters(names: Iterable[str], joined: Mapping[str, Iterable[str]]) -> list[frozenset[str]]:
-    """Names in groups: each key of `joined` with all that it holds together."""
+    """Return the names in groups: each key of `joined` together with all names of its value."""
     leader = {name: name for name in names}
     for name, held in joined.items():
         for other in held:
@@ -87,13 +87,13 @@ def _clusters(names: Iterable[str], joined: Mapping[str, Iterable[str]]) -> list
     return [frozenset(name for name, held in leader.items() if held == head) for head in heads]
 
 
-BETWEEN = 1.2  # parts of a scene that nothing joins
-MOUNT = 1.9  # the longest bracket from a corner to a pulley
+BETWEEN = 1.2  # units between unconnected parts of a scene
+MOUNT = 1.9  # units, the longest bracket from a corner to a pulley
 assert faces  # its import enters what it draws
 
 
 def drawing(scene: Scene, description: Description | None = None, *, numbers: bool = False) -> Drawing:
-    """Draw the initial state: of machines of strings and planes angles are right and lengths are not, else both.
+    """Draw the initial state of a scene; machines of strings and planes keep angles but not lengths.
 
     `description` gives the names, by default the text with seed 0; `numbers` adds masses. A body whose class declares
     no look is drawn as a dashed box with its name, with a `FigureWarning`. Lengths and angles that the text leaves open
@@ -109,7 +109,7 @@ def drawing(scene: Scene, description: Description | None = None, *, numbers: bo
 
 
 def _drawn(scene: Scene, description: Description, *, numbers: bool) -> Drawing:
-    """Draw a scene as it is."""
+    """Draw a scene without disguising its unknown lengths."""
     sizes = Sizes(width=1.6, height=1.4) if numbers else Sizes()
     parts: list[Sketch] = []
     for component in components(scene):
@@ -127,7 +127,7 @@ def _drawn(scene: Scene, description: Description, *, numbers: bool) -> Drawing:
 
 
 def make(scaled: Mapping[str, Piece], name: str, plan: DrawingPlan) -> Piece:
-    """Return the piece at an address: one that is drawn to scale, or by the look of its body."""
+    """Return the piece at an address: the group drawn to scale, or a piece by its body's look."""
     if name in scaled:
         return scaled[name]
     look = plan.scene.bodies[name].look if name in plan.scene.bodies else None
@@ -139,7 +139,7 @@ def make(scaled: Mapping[str, Piece], name: str, plan: DrawingPlan) -> Piece:
 
 
 def _parts(plan: DrawingPlan, component: Component, scaled: Iterable[str]) -> Iterable[tuple[list[str], list[Strand]]]:
-    """Pieces that strings hold together, with their strands."""
+    """Yield the groups of pieces that strings connect, with their strands."""
     strands = plan.paths.strands
     names = list(
         dict.fromkeys([*scaled, *_standing(plan, component.arranged), *(k.piece for s in strands for k in (s.a, s.b))])
@@ -154,7 +154,7 @@ def _parts(plan: DrawingPlan, component: Component, scaled: Iterable[str]) -> It
 
 
 def _standing(plan: DrawingPlan, owners: frozenset[str]) -> Iterator[str]:
-    """Pieces that need no string: what has faces, blocks without one, and pulleys that no string passes."""
+    """Yield the pieces that need no string: those with faces, free blocks, and pulleys without strings."""
     carried = plan.paths.carriers
     rims = {knot.item for knots in plan.paths.knots.values() for knot in knots if knot.rim}
     for address, body in plan.scene.bodies.items():
@@ -165,7 +165,7 @@ def _standing(plan: DrawingPlan, owners: frozenset[str]) -> Iterator[str]:
 
 
 def _finished(layout: Layout, plan: DrawingPlan) -> Sketch:
-    """Everything at its place: the pieces, the strings, and the brackets that hold pulleys at corners."""
+    """Return the sketch of a layout: pieces, strings, and brackets of pulleys at corners."""
     found = Sketch()
     for name, piece in layout.pieces.items():
         sketch = piece.sketch().moved(layout.at[name])
@@ -179,7 +179,7 @@ def _finished(layout: Layout, plan: DrawingPlan) -> Sketch:
 
 
 def _strokes(scene: Scene, name: str, a: complex, b: complex) -> Iterator[LineShape]:
-    """Yield a strand as its connection looks."""
+    """Yield the shapes of a strand, drawn as its connection looks."""
     look = scene.joints[name].connection.look if name in scene.joints else "string"
     if look == "spring":
         line = next((line for line in scene.mechanism.lines if line.whole == name), None)
@@ -189,7 +189,7 @@ def _strokes(scene: Scene, name: str, a: complex, b: complex) -> Iterator[LineSh
 
 
 def _mounted(layout: Layout, name: str, piece: PulleyPiece) -> list[Shape]:
-    """Return a bracket to the nearest corner of a plane, or a plate if all are far."""
+    """Return a bracket from a pulley to the nearest corner of a plane, or a plate if all corners are far."""
     here = layout.at[name]
     ends = [
         layout.at[corner] + edge
@@ -204,7 +204,7 @@ def _mounted(layout: Layout, name: str, piece: PulleyPiece) -> list[Shape]:
 
 
 def _speeds(layout: Layout, plan: DrawingPlan, found: Sketch) -> None:
-    """An arrow beside every block that moves at the start."""
+    """Draw an arrow beside every block that moves at the start."""
     for block, carrier in plan.paths.carriers.items():
         body, piece = plan.paths.mechanism.body[block], layout.pieces.get(carrier)
         moving = [c for c in body.coordinates if c.speed != 0.0]
@@ -224,7 +224,7 @@ def _speeds(layout: Layout, plan: DrawingPlan, found: Sketch) -> None:
 
 
 def _beside(parts: Sequence[Sketch]) -> Sketch:
-    """Parts from left to right, on one ground."""
+    """Return several sketches side by side from left to right, on one ground level."""
     found, right = Sketch(), 0.0
     for part in parts:
         left, low, end, _ = box(point for shape in part.shapes for point in outline(shape))

@@ -1,4 +1,4 @@
-"""Pieces with faces: fixed planes, and wedges and prisms on a floor, with the blocks that rest on them."""
+"""Pieces with faces: fixed planes, and wedges and prisms on a floor, with the blocks on them."""
 
 from cmath import rect
 from collections.abc import Iterator
@@ -31,13 +31,13 @@ from sim2reason.scenes.dsl.body import FixedPlane, MovingSlope
 HEAD, TOE, TOE_SITE = 0.95, 1.25, 1.6  # of a face that is free above its highest and below its lowest thing
 SHORTEST, LONGER = 3.8, 1.7  # of a face; and by what factor it may be stretched to reach the floor
 SLAB = 0.35  # thickness of a level plane
-FLOOR = 0.9  # how far a floor goes on beside a wedge
+FLOOR = 0.9  # units by which a floor extends beyond a wedge
 FLAT = 1e-6
 
 
 @dataclass(frozen=True)
 class Facet:
-    """A face of a piece: what rests or is fixed on it, by its distance down from the upper end."""
+    """A face of a piece with the bodies and sites on it, by their distances from its upper end."""
 
     uphill: complex
     normal: complex
@@ -47,16 +47,16 @@ class Facet:
     length: float = 0.0
 
     def at(self, down: float) -> complex:
-        """Return a point of the face, from the upper end."""
+        """Return the point of the face at a distance from its upper end."""
         return -down * self.uphill
 
 
 @draws(FixedPlane, MovingSlope)
 class FacePiece(Piece):
-    """A body with one face or two that meet at its top, which is the origin."""
+    """A body with one face, or two faces that meet at its top, which is the origin."""
 
     def __init__(self, name: str, plan: DrawingPlan) -> None:
-        """Lay everything on its faces in the order in which the mechanism has it."""
+        """Place all blocks and sites on the faces in the order of the mechanism."""
         super().__init__(name, plan)
         body = plan.scene.bodies[name]
         self.fixed = is_plane(body)
@@ -69,7 +69,7 @@ class FacePiece(Piece):
     # -- reading the mechanism ---------------------------------------------------------------------
 
     def _found(self) -> Iterator[Facet]:
-        """The faces with their blocks, in the order from the lowest up; distances are still those of the mechanism."""
+        """Yield the faces with their blocks, lowest block first, at the distances of the mechanism."""
         mechanism = self.plan.paths.mechanism
         groups: dict[complex, tuple[complex, list[tuple[float, str]]]] = {}
         for block, carrier in self.plan.paths.carriers.items():
@@ -92,13 +92,13 @@ class FacePiece(Piece):
             yield Facet(uphill, normal, {block: s for s, block in sorted(members)}, foot, top)
 
     def _sites(self, uphill: complex) -> list[tuple[float, str]]:
-        """Return what is fixed on the face and passed by strings, with its place along it."""
+        """Return the sites on the face that strings pass, with their positions along it."""
         rims = {knot.item for knots in self.plan.paths.knots.values() for knot in knots if knot.rim}
         sites = [s for s in self.plan.paths.mechanism.sites if s.body == self.name and s.name in rims]
         return [(dot(flat(s.at), uphill), s.name) for s in sites if abs(cross(flat(s.at), uphill)) < 1e-6]
 
     def _spread(self, face: Facet) -> Facet:
-        """Distances that look well in place of those of the mechanism."""
+        """Return the face with distances suited to the drawing in place of those of the mechanism."""
         sizes = self.plan.sizes
         down, places = HEAD + (0.35 if face.top else 0.0), dict[str, float]()
         for block in reversed(face.blocks):
@@ -108,7 +108,7 @@ class FacePiece(Piece):
         return Facet(face.uphill, face.normal, places, face.foot, face.top, length)
 
     def _stand(self) -> None:
-        """Let faces end on one level where the longer one is not stretched too much."""
+        """Extend the shorter face to the level of the longer one unless that stretches it too much."""
         deep = max(face.length * face.uphill.imag for face in self.faces)
         stretched: list[Facet] = []
         for face in self.faces:
@@ -124,12 +124,12 @@ class FacePiece(Piece):
         return next(f for f in self.faces if item in f.blocks or item in (f.foot, f.top))
 
     def center(self, block: str) -> complex:
-        """Return the middle of a block."""
+        """Return the centre of a block."""
         face = self._face(block)
         return face.at(face.blocks[block]) + 0.5 * self.plan.sizes.height * face.normal
 
     def wheel(self, site: str) -> complex:
-        """The centre of a small pulley, so that the string runs along the face at half the height of its blocks."""
+        """Return the centre of a small pulley; its string runs parallel to the face at half the blocks' height."""
         bend, face = self.plan.bends[site], self._face(site)
         heights = [self._lift(f, bend) for f in self.faces if site in (f.foot, f.top)]
         if len(heights) == 2:  # over the apex: at the right height above both faces
@@ -143,7 +143,7 @@ class FacePiece(Piece):
         return 0.5 * self.plan.sizes.height - self.plan.sizes.small * dot(bend.touches(along), face.normal)
 
     def anchor(self, knot: PathKnot, way: complex, *, second: bool) -> complex:
-        """On a small pulley's rim, or at the side of a block that the strand leaves."""
+        """Return the point on a small pulley's rim, or at the side of a block, where a strand begins."""
         if knot.rim:
             return self.wheel(knot.item) + self.plan.sizes.small * self.plan.bends[knot.item].rim(second=second)
         if knot.item not in self.plan.paths.carriers:
@@ -153,7 +153,7 @@ class FacePiece(Piece):
         return self.center(knot.item) + 0.5 * side * self.plan.sizes.width * face.uphill
 
     def lead(self, knot: PathKnot, way: complex) -> float:
-        """From the side of a block to the end of its face, or from a small pulley to the end of the floor."""
+        """Return the length from a block to the end of its face, or from a small pulley to the end of the floor."""
         start = self.anchor(knot, way, second=False)
         if knot.rim:
             left, _, right, _ = box([*self.outline(), 0j])
@@ -163,19 +163,19 @@ class FacePiece(Piece):
         return abs(end - dot(start, face.uphill))
 
     def edge(self, way: complex) -> complex | None:
-        """Return the upper or lower end of the face, by the direction asked for."""
+        """Return the upper or lower end of the face, by the given direction."""
         face = max(self.faces, key=lambda f: abs(dot(way, f.uphill)))
         return 0j if dot(way, face.uphill) > 0.0 else face.at(face.length)
 
     @property
     def level(self) -> tuple[str, float] | None:
-        """All wedges stand on one floor if they can."""
+        """Return the height of the floor, which all wedges share if possible."""
         return None if self.fixed else ("floor", self.base)
 
     # -- the drawing -------------------------------------------------------------------------------
 
     def outline(self) -> Polygon:
-        """Return the solid, against the clock from its lower left corner."""
+        """Return the outline of the solid, counterclockwise from its lower left corner."""
         ends = [face.at(face.length) for face in self.faces]
         if len(ends) == 1:
             ends.append(0j)
@@ -186,7 +186,7 @@ class FacePiece(Piece):
         return tuple(kept)
 
     def hulls(self) -> list[Polygon]:
-        """Return the solid with its floor, and what stands on its faces."""
+        """Return the hulls of the solid with its floor, and of the blocks on its faces."""
         solid = self.outline()
         left, low, right, _ = box(solid)
         extra = 0.0 if self.fixed else FLOOR
@@ -204,7 +204,7 @@ class FacePiece(Piece):
         return list(dict.fromkeys(s for f in self.faces for s in (f.foot, f.top) if s in self.plan.bends))
 
     def sketch(self) -> Sketch:
-        """Return the solid, its floor, its angles, its blocks and small pulleys."""
+        """Return the sketch of the solid, its floor, its angles, its blocks and small pulleys."""
         solid = self.outline()
         found = Sketch([Area(solid, "fixed" if self.fixed else "wedge")])
         left, low, right, _ = box(solid)
@@ -226,7 +226,7 @@ class FacePiece(Piece):
         return found
 
     def _small(self, site: str) -> Iterator[Shape]:
-        """Yield a small pulley on its bracket, with the string round it."""
+        """Yield the shapes of a small pulley on its bracket, with the string round it."""
         center, bend, radius = self.wheel(site), self.plan.bends[site], self.plan.sizes.small
         face = self._face(site)
         foot = face.at(face.length - 0.3) if site == face.foot else 0j
@@ -236,7 +236,7 @@ class FacePiece(Piece):
         yield wrapped(bend.rim(), bend.rim(second=True), -sum(bend.ways), center, radius)
 
     def _angle(self, face: Facet, found: Sketch) -> None:
-        """The angle at the foot of a face, with its value."""
+        """Draw the angle at the foot of a face, with its value."""
         foot, side = face.at(face.length), 1.0 if face.uphill.real > 0.0 else -1.0
         value = to_degrees(atan2(face.uphill.imag, abs(face.uphill.real)))
         text = self.plan.stated(owner_of(self.name), "deg", value)
@@ -256,7 +256,7 @@ class FacePiece(Piece):
         found.labels.append(Wanted(text, inside + outside, self.name, SMALL, name=False))
 
     def _rough(self, found: Sketch) -> None:
-        """Dots under faces with friction, and its coefficient as the text has it."""
+        """Draw dots under faces with friction, and the friction coefficient as in the text."""
         lying = [self.plan.paths.mechanism.contacts[b] for face in self.faces for b in face.blocks]
         if not any(held.friction for held in lying):
             return
@@ -276,7 +276,7 @@ class FacePiece(Piece):
             found.labels.append(Wanted(text, (*inside, *below, *outside), self.name, SMALL, name=False))
 
     def _name(self) -> Wanted:
-        """Return its name near the middle of the solid."""
+        """Return the label of the body, near the middle of the solid."""
         corners = self.outline()
         middle = sum(corners) / len(corners)
         text = self.plan.caption(self.name)

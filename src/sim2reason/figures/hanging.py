@@ -1,4 +1,4 @@
-"""Pieces that hang, hold or pull: blocks in the air, pulleys, hooks and hands."""
+"""Hanging and pulling pieces: blocks in the air, pulleys, hooks and hands."""
 
 from collections.abc import Iterator
 
@@ -24,24 +24,24 @@ from sim2reason.scenes.dsl.body import PulleyWheel
 from sim2reason.scenes.dsl.body import Small as SmallBody
 from sim2reason.scenes.dsl.mechanism import ConstantTension
 
-BRACKET, PLATE = 0.95, 1.1  # from an axle to what holds it, and how wide that is
+BRACKET, PLATE = 0.95, 1.1  # units from an axle to its support, and width of the support
 ARROW = 1.3
 LINE = 0.22  # units from the middle of a block to the name above it and to the mass below it
 
 
 @draws(SmallBody)
 class BlockPiece(Piece):
-    """A block that hangs."""
+    """A hanging block."""
 
     def anchor(self, knot: PathKnot, way: complex, *, second: bool) -> complex:
-        """Return the middle of the side that the strand leaves."""
+        """Return the middle of the side at which the strand begins."""
         del knot, second
         sizes = self.plan.sizes
         steep = abs(way.imag) * sizes.width >= abs(way.real) * sizes.height
         return way * (0.5 * sizes.height / abs(way.imag) if steep else 0.5 * sizes.width / abs(way.real))
 
     def hulls(self) -> list[Polygon]:
-        """Itself."""
+        """Return the rectangle of the block."""
         return [rectangle(0j, self.plan.sizes.width, self.plan.sizes.height)]
 
     def sketch(self) -> Sketch:
@@ -52,7 +52,7 @@ class BlockPiece(Piece):
 def block_labels(
     plan: DrawingPlan, address: str, center: complex, size: tuple[float, float] | None = None
 ) -> list[Wanted]:
-    """Label a block with its name and its mass: the name inside if it is a letter, the mass below it if both fit."""
+    """Return the labels of a block's name and mass: inside the block if they fit."""
     name, mass = plan.name(address), plan.mass(address)
     broad, tall = size or (plan.sizes.width, plan.sizes.height)
     inside, out = len(name) <= LETTER, 0.5 * tall + 0.3
@@ -74,10 +74,10 @@ def block_labels(
 
 @draws(PulleyWheel)
 class PulleyPiece(Piece):
-    """A pulley; `address` is the body's, which for a movable one is not that of the piece."""
+    """A pulley; `address` is that of the body, which for a movable pulley is not the name of the piece."""
 
     def __init__(self, name: str, plan: DrawingPlan) -> None:
-        """Find the pulley that a massless carrier stands for."""
+        """Find the pulley that belongs to a massless carrier."""
         super().__init__(name, plan)
         own = [knot.item for knots in plan.paths.knots.values() for knot in knots if knot.piece == name and knot.rim]
         self.address = own[0] if own else name
@@ -88,7 +88,7 @@ class PulleyPiece(Piece):
         self.mounted = self.fixed and not self.corners
 
     def _corners(self) -> Iterator[str]:
-        """Yield the pieces on whose faces a string comes to it: it can be fixed to their corners."""
+        """Yield the pieces with faces from which a string reaches the pulley; it can be mounted on their corners."""
         for strand in self.plan.paths.strands:
             for here, there in ((strand.a, strand.b), (strand.b, strand.a)):
                 on_face = not there.rim and has_faces(self.plan.scene.bodies.get(there.piece))
@@ -96,7 +96,7 @@ class PulleyPiece(Piece):
                     yield there.piece
 
     def _clear(self, block: PathKnot) -> bool:
-        """Return whether the string lies beyond the pulley as seen from the face, so that no bracket crosses it."""
+        """Return whether the string passes beyond the pulley as seen from the face, so that no bracket crosses it."""
         ways = self.plan.ends.get(block.item, ())
         if self.bend is None or not ways:
             return False
@@ -105,7 +105,7 @@ class PulleyPiece(Piece):
         return dot(self.bend.touches(way), out) > 0.0
 
     def anchor(self, knot: PathKnot, way: complex, *, second: bool) -> complex:
-        """On the rim, or at the axle."""
+        """Return the point on the rim, or at the axle, where a strand begins."""
         del way
         if not knot.rim or self.bend is None:
             return 0j
@@ -113,7 +113,7 @@ class PulleyPiece(Piece):
 
     @property
     def support(self) -> complex:
-        """Up, left, right or down: where a fixed one is held."""
+        """Return the direction of the support of a fixed pulley: up, left, right or down."""
         if self.bend is None:
             return UP
         bend = self.bend
@@ -122,11 +122,11 @@ class PulleyPiece(Piece):
 
     @property
     def bracket(self) -> float:
-        """Return how far from the axle it is held."""
+        """Return the distance from the axle to the support, in units."""
         return BRACKET + self.radius - self.plan.sizes.radius
 
     def hulls(self) -> list[Polygon]:
-        """Return the disc and, if it is fixed, its bracket."""
+        """Return the hulls of the disc and, if the pulley is fixed, of its bracket."""
         found = [ring(0j, self.radius + 0.05)]
         if self.mounted:
             found.append(rectangle(self.support * (self.bracket + 0.15), PLATE, 0.35, self.support * -1j))
@@ -134,11 +134,11 @@ class PulleyPiece(Piece):
 
     @property
     def level(self) -> tuple[str, float] | None:
-        """Pulleys under the ceiling look best at one height."""
+        """Return the height of pulleys under the ceiling, which they share if possible."""
         return ("ceiling", self.bracket - BRACKET) if self.fixed and self.support == UP else None
 
     def sketch(self) -> Sketch:
-        """Return a circle with its axle, the string round it, and a bracket."""
+        """Return the sketch of a circle with its axle, the string round it, and a bracket."""
         radius = self.radius
         body = self.plan.scene.bodies.get(self.address)
         massive = body is not None and isinstance(body.look, PulleyWheel) and body.look.solid
@@ -160,7 +160,7 @@ class PulleyPiece(Piece):
 
 
 def wrapped(first: complex, last: complex, middle: complex, center: complex, radius: float) -> Shape:
-    """Return the string along a rim from one point of touch to the other, by way of `middle`."""
+    """Return the arc of a string along a rim from one tangent point to the other, by way of `middle`."""
     low, high = sorted((degrees(first), degrees(last)))
     inside = low <= degrees(middle) <= high
     start, stop = (low, high) if inside or high - low < 1e-6 else (high, low + 360.0)
@@ -168,17 +168,17 @@ def wrapped(first: complex, last: complex, middle: complex, center: complex, rad
 
 
 def plate(way: complex, start: complex = 0j, far: float = BRACKET, wide: float = PLATE) -> list[Shape]:
-    """Return a bracket from `start` along `way` to something fixed, which is solid beyond."""
+    """Return the shapes of a bracket from `start` along `way` to a hatched support."""
     end, half = start + way * far, 0.5 * wide * way * 1j
     return [LineShape((start, end), "edge"), *hatched(end - half, end + half)]
 
 
 class EndPiece(Piece):
-    """What stands at the end of a string, in line with it."""
+    """A piece at the end of a string, in line with the string."""
 
     @property
     def way(self) -> complex:
-        """The direction from the string outwards."""
+        """Return the direction from the string outwards."""
         ends = self.plan.ends.get(self.name, ())
         return -ends[0] if ends else UP
 
@@ -189,31 +189,31 @@ class EndPiece(Piece):
 
 
 class HookPiece(EndPiece):
-    """A hook fixed in the room."""
+    """A hook fixed to the surroundings."""
 
     def hulls(self) -> list[Polygon]:
-        """Return the hook with its plate."""
+        """Return the hull of the hook with its plate."""
         return [rectangle(self.way * 0.25, 1.0, 0.6, self.way * -1j)]
 
     @property
     def level(self) -> tuple[str, float] | None:
-        """Hooks in the ceiling go with the pulleys there."""
+        """Return the height of hooks in the ceiling, which they share with the pulleys there."""
         return ("ceiling", 0.35 - BRACKET) if self.way.imag > 0.99 else None
 
     def sketch(self) -> Sketch:
-        """Return a ring and hatching."""
+        """Return the sketch of a ring with a hatched support."""
         return Sketch([*plate(self.way, self.way * 0.1, 0.25, 1.0), Arc(0j, 0.1)])
 
 
 class HandPiece(EndPiece):
-    """A hand or a winch: an arrow with its force or speed."""
+    """A hand or winch, drawn as an arrow with its force or speed."""
 
     def hulls(self) -> list[Polygon]:
-        """Return the arrow and room for its label."""
+        """Return the hulls of the arrow and its label."""
         return [rectangle(self.way * 0.5 * ARROW, ARROW, 0.5, self.way)]
 
     def sketch(self) -> Sketch:
-        """Return a grip, an arrow, and the force or the speed as the text has it."""
+        """Return the sketch of a grip, an arrow, and the force or speed as in the text."""
         text = pull_text(self.plan, self.name)
         grip = Area(rectangle(0j, 0.14, 0.4, self.way), "ink")
         wide = width(text, SMALL)
@@ -227,7 +227,7 @@ class HandPiece(EndPiece):
 
 
 def pull_text(plan: DrawingPlan, hand: str) -> str:
-    """Return the force of a hand or the speed of a winch; with a letter if there is one only."""
+    """Return the label of a hand's force or a winch's speed; with a letter if there is only one."""
     drawing = plan.scene.builder.drawing
     law = drawing[hand]
     alone = sum(type(other) is type(law) for other in drawing.values()) == 1

@@ -1,4 +1,4 @@
-"""Placement of labels in a figure, and names in place of unknown lengths and angles."""
+"""Placement of labels in a figure, and replacement of unknown lengths and angles by other values."""
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
@@ -19,19 +19,19 @@ from sim2reason.text.prose.description import Description
 
 FACTORS = (1.3, 0.75, 1.2, 0.85, 1.5, 0.6, 0.5, 1.8, 2.4, 0.88, 1.12)
 """Factors by which the value of an unknown, with two digits, is multiplied, in the order of trial."""
-LEAST = 0.1  # of the value, by which the drawn one differs from it
-QUADRANT, RIGHT_ANGLE_MARGIN = 90.0, 5.0  # degrees; how far a drawn angle keeps from a multiple of a right angle
+LEAST = 0.1  # relative difference between the drawn and the true value, at least
+QUADRANT, RIGHT_ANGLE_MARGIN = 90.0, 5.0  # degrees; margin of a drawn angle from multiples of a right angle
 SCALES = (parse_unit("m").dimension, parse_unit("deg").dimension)
 MINOR = ("hair", "dots")  # strokes whose number depends on sizes
-TOUCHING = 0.02  # units by which outlines overlap that do no more than touch
+TOUCHING = 0.02  # units; smaller overlaps of outlines count as contact
 
 Draw = Callable[[Scene], Drawing]
 
 
 def unknowns(scene: Scene, description: Description) -> tuple[str, ...]:
-    """Return the addresses of the lengths and angles that a text leaves open while it states other numbers.
+    """Return the addresses of lengths and angles that a text leaves unknown while it states other numbers.
 
-    A text in which all numbers are symbols asks for a formula, which no figure shows.
+    A text with only symbols asks for a formula, so no figure hides anything.
     """
     told, symbolic = frozenset(description.told), frozenset(description.symbolic)
     own = {p.path: p for p in scene.parameters if p.value and not p.hidden}
@@ -48,8 +48,8 @@ def _is_drawn_to_scale(parameter: Parameter) -> bool:
 def disguised(scene: Scene, description: Description, draw: Draw) -> tuple[Scene, Drawing]:
     """Return a scene in which unknown lengths and angles have other values, and its drawing.
 
-    For each unknown it takes the first value with which the drawing has the same parts and labels, else the same parts;
-    the unknown keeps its value where there is none.
+    Each unknown gets the first value for which the drawing has the same parts and labels, or else the same parts;
+    without such a value it is unchanged.
     """
     found = draw(scene)
     for path in unknowns(scene, description):
@@ -58,7 +58,7 @@ def disguised(scene: Scene, description: Description, draw: Draw) -> tuple[Scene
 
 
 def _other(scene: Scene, drawing: Drawing, path: str, draw: Draw) -> tuple[Scene, Drawing]:
-    """Return the scene and its drawing with another value of one number, or the same ones."""
+    """Return the scene and its drawing with another value for one number, or both unchanged if none is found."""
     parts, texts = _parts(drawing), _texts(drawing)
     second: tuple[Scene, Drawing] | None = None
     for other in _others(scene, path):
@@ -71,7 +71,7 @@ def _other(scene: Scene, drawing: Drawing, path: str, draw: Draw) -> tuple[Scene
 
 
 def _others(scene: Scene, path: str) -> Iterator[Scene]:
-    """Yield the scenes with other values of a number that fit together in the same way."""
+    """Yield valid scenes with other values of a number and the same connections."""
     parameter = next(p for p in scene.parameters if p.path == path)
     value, (least, most) = parameter.value or 0.0, limits_of(scene, path)
     told = float(f"{value:.2g}")  # an item's answer may differ a little from the value that was drawn
@@ -89,14 +89,14 @@ def _others(scene: Scene, path: str) -> Iterator[Scene]:
 
 
 def _is_alike(angle: float, other: float) -> bool:
-    """Return whether two angles, in degrees, are in the same quadrant and the second is not close to its limits."""
+    """Return whether two angles (degrees) are in the same quadrant, the second one not close to its limits."""
     beyond = other % QUADRANT
     clear = RIGHT_ANGLE_MARGIN <= beyond <= QUADRANT - RIGHT_ANGLE_MARGIN or abs(angle) < 2.0 * RIGHT_ANGLE_MARGIN
     return clear and angle // QUADRANT == other // QUADRANT and copysign(1.0, angle) == copysign(1.0, other)
 
 
 def _parts(drawing: Drawing) -> Counter[str]:
-    """Count the shapes of each kind, and the pairs of bodies whose outlines overlap."""
+    """Return the counts of the shapes of each kind, and of the pairs of bodies whose outlines overlap."""
     found = Counter(_kind(shape) for shape in drawing.shapes if shape.weight not in MINOR)
     bodies = [_body(shape) for shape in drawing.shapes if not isinstance(shape, LineShape) and shape.fill]
     found["overlap"] = sum(depth(one, other) > TOUCHING for one, other in combinations(bodies, 2))
@@ -116,7 +116,7 @@ def _kind(shape: Shape) -> str:
 
 
 def _texts(drawing: Drawing) -> Counter[tuple[str, str]]:
-    """Count the labels of bodies and of their numbers, but for those of scales, which depend on sizes."""
+    """Return the counts of the labels of bodies and numbers, except labels of scales, which depend on sizes."""
     return Counter((label.subject, label.text) for label in drawing.labels if label.subject)
 
 
@@ -137,7 +137,7 @@ REACHES, FARTHER, LED_OVER = (0.3, 0.45, 0.7, 1.0, 1.4, 1.9), 0.6, 9.0  # length
 
 
 class Stroke(NamedTuple):
-    """A straight part of an outline; `order` counts the shapes from back to front."""
+    """A straight segment of an outline; `order` is the index of its shape from back to front."""
 
     a: complex
     b: complex
@@ -146,7 +146,7 @@ class Stroke(NamedTuple):
 
 
 class Option(NamedTuple):
-    """A candidate position of a label, its cost apart from other labels, and its leader line to the body, if any."""
+    """A candidate position of a label, its cost apart from other labels, and its leader line, if any."""
 
     label: Label
     later: float
@@ -155,9 +155,9 @@ class Option(NamedTuple):
 
 
 def placed(wanted: Sequence[Wanted], shapes: Sequence[Shape]) -> tuple[tuple[Label, ...], tuple[LineShape, ...]]:
-    """Place all labels so that their total cost is least; return them with their leader lines.
+    """Place all labels with minimal total cost; return them with their leader lines.
 
-    First come those with the least choice, then all again in turn.
+    The labels with the fewest candidates are placed first, then all labels again in turn.
     """
     strokes, blocks = (
         _strokes(shapes),
@@ -190,13 +190,13 @@ def placed(wanted: Sequence[Wanted], shapes: Sequence[Shape]) -> tuple[tuple[Lab
 
 
 def _seen(label: Label, strokes: Sequence[Stroke], grounds: Sequence[tuple[int, Polygon]]) -> list[Stroke]:
-    """The strokes that no filled shape hides where the label stands; the outline of that shape is one of them."""
+    """Return the strokes at a label that no filled shape hides, including the outline of the hiding shape."""
     above = max((n for n, polygon in grounds if inside(label.at, polygon)), default=-1)
     return [stroke for stroke in strokes if stroke.order >= above]
 
 
 def _options(wanted: Wanted) -> Iterator[Option]:
-    """Return all places of a label, then those around its anchors, the nearest first."""
+    """Yield the candidate positions of a label, then those around its anchors, the nearest first."""
     made = partial(Label, wanted.text, subject=wanted.subject, size=wanted.size, name=wanted.name)
     for number, place in enumerate(wanted.places):
         yield Option(made(at=place), LATER * number, wanted.places[0])
@@ -211,7 +211,7 @@ def _options(wanted: Wanted) -> Iterator[Option]:
 
 
 def _crowded(option: Option, others: Sequence[Option]) -> float:
-    """Return the cost of overlaps of a label and its leader line with other labels and lines."""
+    """Return the cost of overlaps of a label and its leader line with other labels and leader lines."""
     mine, found = _wider(option.label.box), 0.0
     for label, _, _, leader in others:
         shared = common(mine, label.box)
@@ -223,7 +223,7 @@ def _crowded(option: Option, others: Sequence[Option]) -> float:
 
 
 def _led(option: Option, strokes: Sequence[Stroke]) -> float:
-    """Return the cost of the outlines that a leader line crosses, except for the outline of its own body."""
+    """Return the cost of the outlines that a leader line crosses, except the outline of its own body."""
     if option.leader is None:
         return 0.0
     crossed = sum(stroke.weight >= 1.0 and crosses(*option.leader, stroke.a, stroke.b) for stroke in strokes)
@@ -231,7 +231,7 @@ def _led(option: Option, strokes: Sequence[Stroke]) -> float:
 
 
 def _alone(option: Option, strokes: Sequence[Stroke], blocks: Sequence[Polygon]) -> float:
-    """Return the cost of a place apart from other labels; outlines around a label's first place belong to its body."""
+    """Return the cost of a candidate position without other labels; outlines at the preferred position are free."""
     mine = _wider(option.label.box)
     left, low, right, high = mine
     corners = (complex(left, low), complex(right, low), complex(right, high), complex(left, high))
@@ -247,12 +247,12 @@ def _alone(option: Option, strokes: Sequence[Stroke], blocks: Sequence[Polygon])
 
 
 def _under(area: Box, strokes: Sequence[Stroke]) -> float:
-    """Return the length of the strokes that run through a box, by their weights."""
+    """Return the weighted length of the strokes inside a box."""
     return sum(stroke.weight * length_inside(stroke.a, stroke.b, area) for stroke in strokes)
 
 
 def _mistaken(label: Label, wanted: Wanted, wheels: Sequence[Arc]) -> float:
-    """Return what it costs to stand beside a pulley that has another name."""
+    """Return the cost of a label's position beside a pulley that it does not name."""
     if len(wanted.places) < 2 or not wanted.name or not wheels:
         return 0.0
     middle = sum(wanted.places) / len(wanted.places)
@@ -266,7 +266,7 @@ def _wider(held: Box) -> Box:
 
 
 def _strokes(shapes: Sequence[Shape]) -> list[Stroke]:
-    """Everything as segments, with a weight: hair lines are less of a nuisance."""
+    """Return all shapes as segments with weights; thin lines have smaller weights."""
     found: list[Stroke] = []
     for order, shape in enumerate(shapes):
         if isinstance(shape, LineShape):

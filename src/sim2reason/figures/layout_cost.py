@@ -1,4 +1,4 @@
-"""What is wrong with a layout, as one number."""
+"""Cost of a layout: overlaps, crossings, size and unequal levels as one number."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -8,14 +8,14 @@ from sim2reason.figures.paths import Strand
 from sim2reason.figures.pieces import Piece
 from sim2reason.figures.vectors import Box, Polygon, box, crosses, depth
 
-APART, ASIDE = 0.25, 0.12  # that is left between pieces, and between a piece and a string
+APART, ASIDE = 0.25, 0.12  # units between pieces, and between a piece and a string, at least
 OVERLAP, PIERCED, CROSSED = 40.0, 15.0, 12.0
 ACROSS, UPWARDS, RAGGED, MOST_RAGGED = 0.5, 0.6, 0.8, 2.5  # for each unit of width, height, unequal level
 
 
 @dataclass(frozen=True)
 class DrawnJoint:
-    """A strand with its ends as seen from the pieces that it joins, and what it runs over them."""
+    """A strand with its ends relative to the pieces that it joins, and its length over these pieces."""
 
     strand: Strand
     way: complex
@@ -25,10 +25,10 @@ class DrawnJoint:
 
 
 class Pose:
-    """How all pieces look in one choice of sides and sizes, wherever they stand."""
+    """The shapes of all pieces for one choice of orientations and sizes, independent of position."""
 
     def __init__(self, pieces: Mapping[str, Piece], strands: Sequence[Strand], ways: Sequence[complex]) -> None:
-        """Compute once what every choice of lengths needs."""
+        """Compute the hulls and ends of strands that all choices of lengths share."""
         self.pieces = pieces
         self.joints = [self._joint(strand, way) for strand, way in zip(strands, ways, strict=True)]
         self.solids = {name: [(p, box(p)) for p in piece.hulls()] for name, piece in pieces.items()}
@@ -44,7 +44,7 @@ class Pose:
 
 @dataclass
 class Layout:
-    """Pieces at their places."""
+    """A pose with the positions of all pieces."""
 
     pose: Pose
     at: dict[str, complex]
@@ -52,12 +52,12 @@ class Layout:
 
     @property
     def pieces(self) -> Mapping[str, Piece]:
-        """The pieces, by name."""
+        """Return the pieces by name."""
         return self.pose.pieces
 
     @property
     def strands(self) -> list[tuple[Strand, complex, complex]]:
-        """All strands with their ends."""
+        """Return all strands with their end points."""
         return [
             (j.strand, self.at[j.strand.a.piece] + j.start, self.at[j.strand.b.piece] + j.stop)
             for j in self.pose.joints
@@ -65,7 +65,7 @@ class Layout:
 
 
 def cost(layout: Layout) -> float:
-    """Return what is wrong with a layout: overlaps above all, then crossings, size and ragged levels."""
+    """Return the cost of a layout: mainly overlaps, then crossings, size and unequal levels."""
     pose, at = layout.pose, layout.at
     boxes = {name: _moved(held, at[name]) for name, held in pose.boxes.items()}
     total = 0.0
@@ -79,7 +79,7 @@ def cost(layout: Layout) -> float:
 
 
 def _overlap(one: list[tuple[Polygon, Box]], other: list[tuple[Polygon, Box]], by: complex) -> float:
-    """Return how much the shapes of a piece and those of another, moved by `by`, are in each other's way."""
+    """Return the overlap cost of one piece's hulls and another's, the latter moved by `by`."""
     total = 0.0
     for theirs, area in other:
         around = _moved(area, by)
@@ -91,7 +91,7 @@ def _overlap(one: list[tuple[Polygon, Box]], other: list[tuple[Polygon, Box]], b
 
 
 def _strands(layout: Layout, boxes: dict[str, Box]) -> float:
-    """Strings that run through pieces, or across each other."""
+    """Return the cost of strings that cross pieces or each other."""
     total, drawn = 0.0, layout.strands
     for strand, a, b in drawn:
         around = box((a, b))

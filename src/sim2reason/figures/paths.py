@@ -1,4 +1,4 @@
-"""Paths of strings, and springs as zigzags."""
+"""Paths of strings through a drawing, and springs as zigzags."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -11,13 +11,13 @@ from sim2reason.scenes.dsl.mechanism import Elastic, Line, Mechanism
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.scenes.dsl.vectors import Vector
 
-COIL, LOOPS, LEAD = 0.17, 0.26, 0.25  # half the width, how long a loop is, the straight part at each end
-ASIDE = 0.22  # how far a spring and its dashpot lie from the line between them
+COIL, LOOPS, LEAD = 0.17, 0.26, 0.25  # units: half the width, length of a loop, length of the straight part at each end
+ASIDE = 0.22  # units from the centre line to a spring and to its dashpot
 CUP, PISTON, DEEP = 0.11, 0.08, 0.25  # half the widths of a dashpot's two parts, and half its length at most
 
 
 def spring(a: complex, b: complex, line: Line | None) -> Iterator[Polygon]:
-    """Yield the strokes of a spring from `a` to `b`."""
+    """Yield the strokes of a spring from `a` to `b`, with a dashpot if the line has damping."""
     if not (line is not None and isinstance(line.law, Elastic) and line.law.damping):
         yield _zigzag(a, b)
         return
@@ -32,7 +32,7 @@ def spring(a: complex, b: complex, line: Line | None) -> Iterator[Polygon]:
 
 
 def _dashpot(a: complex, b: complex) -> Iterator[Polygon]:
-    """Yield a cup that is open towards `b`, and a piston in it."""
+    """Yield the outline of a cup that opens towards `b`, and of a piston in it."""
     way, long = unit(b - a), abs(b - a)
     across, middle, deep = way * 1j, 0.5 * (a + b), min(0.12 * long, DEEP) * way
     bottom, top, piston = middle - deep, middle + deep, middle + 0.2 * deep
@@ -53,28 +53,28 @@ def _zigzag(a: complex, b: complex) -> Polygon:
 
 
 def has_faces(body: Body | None) -> bool:
-    """Return whether blocks lie on it."""
+    """Return whether a body has faces on which blocks lie."""
     return body is not None and isinstance(body.look, FixedPlane | MovingSlope)
 
 
 def is_plane(body: Body | None) -> bool:
-    """Return whether it is a plane fixed in the room."""
+    """Return whether a body is a fixed plane."""
     return body is not None and isinstance(body.look, FixedPlane)
 
 
 def is_pulley(body: Body | None, *, fixed: bool = False) -> bool:
-    """Return whether strings go round it; with `fixed`, also whether its axle can't move."""
+    """Return whether a body is a pulley; with `fixed`, one whose axle cannot move."""
     return body is not None and isinstance(body.look, PulleyWheel) and (body.look.fixed or not fixed)
 
 
 def flat(vector: Vector) -> complex:
-    """Return a vector of the room as seen from the front."""
+    """Return the projection of a vector to the plane of the drawing, seen from the front."""
     return complex(vector[0], vector[2])
 
 
 @dataclass(frozen=True, slots=True)
 class PathKnot:
-    """A place where a string is tied, or that it goes round."""
+    """A point where a string is tied, or a pulley that it goes round."""
 
     piece: str  # the address of what it lies on: a body, or a site of the room
     item: str  # the body, or else the site, that it is tied to or goes round
@@ -84,13 +84,13 @@ class PathKnot:
 
     @property
     def side(self) -> float:
-        """−1 where the string arrives at the left of a pulley, 1 at its right, by the names of its rim points."""
+        """Return −1 if the string arrives at the left of a pulley, 1 at its right."""
         return 1.0 if self.arrives.endswith(".right") else -1.0
 
 
 @dataclass(frozen=True, slots=True)
 class Strand:
-    """A straight part of a string; `way` is the direction from `a` to `b`, None where any will do."""
+    """A straight segment of a string; `way` is its direction from `a` to `b`, None if free."""
 
     string: str
     number: int  # of the strand in its string
@@ -100,22 +100,22 @@ class Strand:
 
     @property
     def inner(self) -> bool:
-        """Return whether both of its ends lie on one piece."""
+        """Return whether both ends lie on the same piece."""
         return self.a.piece == self.b.piece
 
 
 def owner_of(address: str) -> str:
-    """Return the entity or connection to which something belongs."""
+    """Return the entity or connection that an address belongs to."""
     return address.split(".", maxsplit=1)[0]
 
 
 def whole(scene: Scene) -> Scene:
-    """Return the scene with nothing glued: glue changes how bodies move, not how they look."""
+    """Return the scene without welds, which change the motion but not the drawing."""
     return scene.model_copy(update={"glued": ()}) if scene.glued else scene
 
 
 def near(address: str, others: list[str]) -> str:
-    """Return the address that shares the longest beginning with `address`."""
+    """Return the address that shares the longest prefix with `address`."""
 
     def common(other: str) -> int:
         steps = zip(address.split("."), other.split("."), strict=False)
@@ -125,7 +125,7 @@ def near(address: str, others: list[str]) -> str:
 
 
 def carriers(scene: Scene) -> dict[str, str]:
-    """By block that rests on a face the address of the body whose face it is."""
+    """Return the addresses of the bodies with faces, by the address of each block that rests on them."""
     mechanism = scene.mechanism
     planes = [address for address, body in scene.bodies.items() if is_plane(body)]
     found: dict[str, str] = {}
@@ -140,12 +140,12 @@ def carriers(scene: Scene) -> dict[str, str]:
 
 
 class Paths:
-    """The strings of a scene, knot by knot and strand by strand."""
+    """The strings of a scene as sequences of knots and strands."""
 
     def __init__(self, scene: Scene, owners: frozenset[str], home: Mapping[str, str]) -> None:
-        """Read those of some entities and connections off the mechanism.
+        """Read the strings of some entities and connections from the mechanism.
 
-        `home` has the pieces of entities that are drawn to scale, by name.
+        `home` maps each entity that is drawn to scale to its piece.
         """
         self.home = home
         self.scene, self.mechanism = scene, scene.mechanism
@@ -154,7 +154,7 @@ class Paths:
 
     @cached_property
     def strands(self) -> list[Strand]:
-        """All strands, string by string."""
+        """Return all strands, string by string."""
         return [
             Strand(name, number, a, b, self._way(a, b))
             for name, knots in self.knots.items()
@@ -179,7 +179,7 @@ class Paths:
         return body if body is not None and body in self.scene.bodies else site
 
     def piece(self, site: str) -> str:
-        """Return the piece of the drawing on which a site lies."""
+        """Return the name of the piece on which a site lies."""
         owner = site.rpartition(".")[0]
         if owner_of(site) in self.home:
             return self.home[owner_of(site)]
@@ -189,7 +189,7 @@ class Paths:
         return site if body is None else self.carriers.get(body, body)
 
     def _way(self, a: PathKnot, b: PathKnot) -> complex | None:
-        """Known where one of the sites says which way a string must leave it, and inside entities."""
+        """Return the direction between two knots if a site or an entity fixes it, else None."""
         builder = self.scene.builder
         near_by = a.leaves.split(".")[0] == b.arrives.split(".")[0]
         if not near_by and builder.faces[a.leaves] is None and builder.faces[b.arrives] is None:
@@ -199,7 +199,7 @@ class Paths:
 
 
 def _sites(mechanism: Mechanism, owners: frozenset[str]) -> dict[str, list[str]]:
-    """By string all its sites from end to end: its parts, which massive pulleys cut, put together again."""
+    """Return the sites of each string from end to end; segments on both sides of massive pulleys are joined."""
     found: dict[str, list[str]] = {}
     for line in mechanism.lines:
         if owner_of(line.whole) in owners:

@@ -1,6 +1,6 @@
-"""The pieces of a drawing: what keeps its shape while the drawing is laid out, one class for each look.
+"""Pieces of a drawing: rigid parts of a layout, one class for each look of a body.
 
-A piece is made for a body by its look, see `PIECES`; so an entity made of bodies with a look needs no drawing code.
+`PIECES` maps the look of a body to its piece, so that an entity made of bodies with looks needs no drawing code.
 """
 
 from abc import ABC, abstractmethod
@@ -18,13 +18,13 @@ from sim2reason.scenes.dsl.model import Parameter
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.text.prose.description import Description
 
-LIKE = 1e-9  # SI units, between numbers that are one
-DIGITS = 5  # of a number in a drawing, at most: as many as worked solutions carry
+LIKE = 1e-9  # SI units; numbers closer than this are equal
+DIGITS = 5  # significant digits of a number in a drawing, at most
 
 
 @dataclass(frozen=True, slots=True)
 class Sizes:
-    """Sizes in units of the drawing."""
+    """The sizes of bodies, in units of the drawing."""
 
     width: float = 1.0  # of a block
     height: float = 0.9
@@ -35,13 +35,13 @@ class Sizes:
 
 @dataclass(frozen=True, slots=True)
 class Bend:
-    """Where a string goes round something: its two ways away from there, in the order of travel."""
+    """A change of a string's direction at a pulley: its two directions away from the pulley, in order."""
 
     ways: tuple[complex, complex]
     side: float  # where two parallel strands meet the rim: the first one at the left (−1) or right (1)
 
     def touches(self, way: complex) -> complex:
-        """Return the unit vector from the centre to where the strand that leaves along `way` touches the rim."""
+        """Return the unit vector from the centre to the tangent point of the strand that leaves along `way`."""
         first = abs(way - self.ways[0]) <= abs(way - self.ways[1])
         other = self.ways[1] if first else self.ways[0]
         if abs(cross(way, other)) > 1e-6:
@@ -50,7 +50,7 @@ class Bend:
         return across if dot(way, other) < 0.0 else across * self.side
 
     def rim(self, *, second: bool = False) -> complex:
-        """Return where the first, or the second, strand touches; unlike `touches` it tells parallel strands apart."""
+        """Return the unit vector to the tangent point of the first or second strand, also if both are parallel."""
         first = self.touches(self.ways[0])
         if not second:
             return first
@@ -59,14 +59,14 @@ class Bend:
 
     @property
     def held(self) -> complex:
-        """The direction in which the axle must be held."""
+        """Return the direction in which the axle is supported."""
         push = -(self.ways[0] + self.ways[1])
         return unit(push) if abs(push) > 1e-6 else self.rim() * -1.0
 
 
 @dataclass(frozen=True)
 class DrawingPlan:
-    """What pieces need to know of the scene and of each other while one layout is tried."""
+    """The data shared by all pieces of one candidate layout: scene, text and neighbours."""
 
     scene: Scene
     paths: Paths
@@ -81,31 +81,31 @@ class DrawingPlan:
     wider: Mapping[str, float] = field(default_factory=dict[str, float])  # by pulley piece, times the usual radius
 
     def name(self, address: str) -> str:
-        """Return what stands beside a body: its letter or, for a lone one, its noun."""
+        """Return the label of a body: its letter, or its noun if it has none."""
         body = self.scene.bodies[address]
         return self.description.names.letters.get(address, "") or self.description.names.noun(body)
 
     def mass(self, address: str) -> str:
-        """Return the mass of a body as the text has it, if numbers are wanted and it has one."""
+        """Return the mass of a body as in the text, if numbers are shown and the text states it."""
         parameter = next((p for p in self.scene.parameters if p.path == f"{address}.mass"), None)
         return self.told(parameter) if self.numbers and parameter is not None and parameter.value else ""
 
     def told(self, parameter: Parameter) -> str:
-        """A number in the voice of the text: one that it leaves open is its symbol, of a longer one five digits stand.
+        """Return a number as in the text: an unknown by its symbol, others with at most five digits.
 
-        A result fixes an unknown to all digits that a computer has: no drawing needs them.
+        Results of unknowns have more digits, which no drawing needs.
         """
         symbol = self.description.symbols.get(parameter.path, parameter.measure.symbol)
         shown = parameter.value and float(f"{parameter.value:.{DIGITS}g}")
         return self.description.voice(replace(parameter, value=shown), symbol)
 
     def stated(self, owner: str, unit: str, value: float) -> str:
-        """Return the same for a number of an entity or a body, if one of that size and unit is stated; else nothing."""
+        """Return a stated number of an entity or body with that unit and value, or an empty text."""
         said = self._numbers(owner, unit)
         return next((self.told(p) for p in said if isclose(p.value or 0.0, value, rel_tol=1e-6, abs_tol=LIKE)), "")
 
     def equated(self, letter: str, said: str) -> str:
-        """Return a number with its letter, *F = 3 N*; a symbol needs none."""
+        """Return a number with its letter, *F = 3 N*; a symbol alone remains unchanged."""
         return said if said.startswith("$") else f"{letter} = {said}"
 
     def rubbing(self, owner: str, face: Face, letter: str = "µ") -> str:
@@ -118,7 +118,7 @@ class DrawingPlan:
         return ", ".join(self.equated(symbol, text) for symbol, text in both if text)
 
     def leaves_open(self, owner: str, unit: str) -> bool:
-        """Whether the text leaves a number of an entity or a body open, so that no drawing may show it to scale."""
+        """Return whether the text leaves a number unknown, so that the drawing must not show it to scale."""
         return any(self.told(p).startswith("$") for p in self._numbers(owner, unit))
 
     def _numbers(self, owner: str, unit: str) -> Iterator[Parameter]:
@@ -128,50 +128,50 @@ class DrawingPlan:
                 yield parameter
 
     def caption(self, address: str) -> str:
-        """Return the name of a body, with its mass if that is wanted: *W (8.1 kg)*."""
+        """Return the name of a body, with its mass if numbers are shown: *W (8.1 kg)*."""
         mass = self.mass(address)
         return f"{self.name(address)} ({mass})" if mass else self.name(address)
 
 
 class Piece(ABC):
-    """Something in its own place, around its own origin."""
+    """A rigid part of a drawing, in coordinates relative to its own origin."""
 
     mirrors = False  # whether it may be drawn mirrored, since no text says which way it faces
 
     def __init__(self, name: str, plan: DrawingPlan) -> None:
-        """`name` is its address, see `Paths.piece`."""
+        """Store the address of the piece (see `Paths.piece`) and the plan."""
         self.name, self.plan = name, plan
 
     @abstractmethod
     def anchor(self, knot: PathKnot, way: complex, *, second: bool) -> complex:
-        """Return where a strand that leaves the knot along `way` begins; `second` if the string leaves it there."""
+        """Return the start of a strand that leaves the knot along `way`; `second` for the knot's second strand."""
 
     @abstractmethod
     def hulls(self) -> list[Polygon]:
-        """Convex shapes that hold it and keep others away."""
+        """Return convex polygons that cover the piece and keep others away."""
 
     @abstractmethod
     def sketch(self) -> Sketch:
-        """Return its shapes and the labels that it wants."""
+        """Return the shapes of the piece and its labels."""
 
     def lead(self, knot: PathKnot, way: complex) -> float:
-        """Return how far a strand runs over the piece itself before it is clear of it."""
+        """Return the length of a strand over the piece itself, in units."""
         del knot, way
         return 0.0
 
     @property
     def level(self) -> tuple[str, float] | None:
-        """A height that looks better if all pieces of its kind share it: of a floor, of what hangs from the ceiling."""
+        """Return a height that all pieces of a kind share if possible (kind, height): of a floor or a ceiling."""
         return None
 
     def edge(self, way: complex) -> complex | None:
-        """Return the corner where its face ends in a direction: a pulley beyond it can be fixed to it."""
+        """Return the corner where a face ends in a direction, on which a pulley can be mounted."""
         del way
         return None
 
 
 def around(center: complex, near: float, text_width: float, *, start: complex = RIGHT) -> tuple[complex, ...]:
-    """Places for a label around a circle, the first one in the direction `start`."""
+    """Return candidate positions of a label around a circle, the first one in the direction `start`."""
     turns = (0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6, 7, -7, 8)
     ways = [start * complex(0.92388, 0.38268) ** turn for turn in turns]
     return tuple(
@@ -187,7 +187,7 @@ M = TypeVar("M")
 
 
 def draws(*looks: type[BodyLook]) -> Callable[[M], M]:
-    """Decorate the piece that shows bodies with looks of these classes."""
+    """Register the decorated piece for bodies with looks of these classes."""
 
     def enter(factory: M) -> M:
         for look in looks:

@@ -42,7 +42,7 @@ FLAT, MANY = (
     1e-6,
     7,
 )  # a span, as a part of the values, that is too small to be looked at; more curves than one column of names holds
-MOST = 12  # events in the list; of more it says how many
+MOST = 12  # events in the list; the rest are counted
 REASONS = {
     "certificate": "the two engines part",
     "statistics": "something jumps that no event explains",
@@ -55,7 +55,7 @@ REASONS = {
 
 
 def plot(trace: Trace, description: Description, path: Path, dpi: int = 120) -> None:
-    """Write all quantities that have a panel over time as SVG, PNG or PDF, by the ending of `path`.
+    """Plot all quantities with a panel over time, as SVG, PNG or PDF by the suffix of `path`.
 
     Raises:
         MissingExtraError: matplotlib is not installed.
@@ -93,7 +93,7 @@ def plot(trace: Trace, description: Description, path: Path, dpi: int = 120) -> 
 
 
 def listed(marks: Sequence[Mark], second: str) -> list[str]:
-    """Return the lines of the list of events, their times in a unit; the last one says how many more there are."""
+    """Return the lines of the list of events with their times; the last line counts the omitted events."""
     lines = [f"{row}   {mark.time:.3f} {second}   {mark.text}" for row, mark in enumerate(marks[:MOST], start=1)]
     more = marks[MOST:]
     if more:
@@ -102,40 +102,40 @@ def listed(marks: Sequence[Mark], second: str) -> list[str]:
 
 
 def _area(low: float, tall: float, height: float) -> tuple[float, float, float, float]:
-    """Inches from below as parts of the figure."""
+    """Return the axes' rectangle as fractions of the figure, from heights in inches."""
     return PLOT_LEFT, low / height, PLOT_RIGHT - PLOT_LEFT, tall / height
 
 
 class Colors:
-    """Names with their colours: the same one everywhere, explained where it comes first."""
+    """The colours of names: the same in all panels, explained in the legend of the first."""
 
     def __init__(self) -> None:
-        """None so far."""
+        """Start without assigned colours."""
         self._order: list[str] = []
         self._explained: set[str] = set()
 
     def of(self, name: str) -> str:
-        """Return the colour of a body: directions that follow its name do not matter."""
+        """Return the colour of a body; a direction after its name is ignored."""
         own = name.partition(",")[0]
         if own not in self._order:
             self._order.append(own)
         return COLORS[self._order.index(own) % len(COLORS)]
 
     def unexplained(self, names: Iterable[str]) -> bool:
-        """Return whether there are names among these that no legend has shown; from now on it has."""
+        """Return whether any of these names is in no legend yet, and mark all as explained."""
         found = set(names)
         new = bool(found - self._explained)
         self._explained |= found
         return new
 
     def style(self, name: str) -> str:
-        """Return its strokes: others than those of what has the same colour."""
+        """Return the line style of a name, different from other names with the same colour."""
         self.of(name)
         return STYLES[(self._order.index(name.partition(",")[0]) // len(COLORS)) % len(STYLES)]
 
 
 def _paths(axes: "Axes", group: Trajectories, shown: MotionCurves, colors: Colors) -> None:
-    """Paths in the plane at equal scales, from a dot where each body starts, with the numbers of its events."""
+    """Draw trajectories at equal scales, with a dot at each start and the numbers of events."""
     for member in group.members:
         color = colors.of(member.name)
         axes.plot(member.x, member.y, colors.style(member.name), color=color, linewidth=1.2, label=member.name)
@@ -162,7 +162,7 @@ def _paths(axes: "Axes", group: Trajectories, shown: MotionCurves, colors: Color
 
 
 def _legend(axes: "Axes", count: int) -> None:
-    """The names of the curves, to the right of a panel."""
+    """Draw the legend to the right of a panel."""
     axes.legend(
         loc="upper left",
         bbox_to_anchor=(1.01, 1.03),
@@ -198,7 +198,7 @@ def _panel(axes: "Axes", panel: Panel, shown: MotionCurves, colors: Colors) -> N
 
 
 def _upright(axes: "Axes", panel: Panel) -> None:
-    """From zero where nothing changes: rounding is no motion."""
+    """Set the vertical range of a panel so that rounding errors of a constant are not magnified."""
     values = np.concatenate([[0.0], *(curve.values[np.isfinite(curve.values)] for curve in panel.curves)])
     size = float(np.abs(values).max()) or 1.0
     if all(np.ptp(found) < FLAT * size for c in panel.curves if (found := c.values[np.isfinite(c.values)]).size):
@@ -206,7 +206,7 @@ def _upright(axes: "Axes", panel: Panel) -> None:
 
 
 def _numbers(axes: "Axes", shown: MotionCurves) -> None:
-    """The numbers of events above the first panel, and why the end is cut off."""
+    """Draw the numbers of events above the first panel, and the reason why the end is cut off."""
     raised, last = 0, -1.0
     for number, mark in enumerate(shown.marks[:MOST], start=1):
         raised = (raised + 1) % 3 if mark.time - last < 0.02 * shown.duration else 0
@@ -247,7 +247,7 @@ TICKS = 16  # labels below upright bars, at most
 
 @dataclass(frozen=True)
 class Histogram:
-    """Numbers of things for each label, in series of one name; `lying` gives long labels room."""
+    """The counts for each label in named series; `lying` draws horizontal bars for long labels."""
 
     axis: str
     """What upright bars stand for; of those that lie, the labels say it."""
@@ -257,7 +257,7 @@ class Histogram:
 
 
 def png(histogram: Histogram, dpi: int = 100) -> bytes:
-    """Return the bytes of a PNG, the same every time; MissingExtraError if matplotlib is not installed."""
+    """Return the PNG bytes of a histogram, identical on every run; MissingExtraError without matplotlib."""
     with settings({"font.size": 8.0}):
         from matplotlib.figure import Figure  # noqa: PLC0415 - heavy, and an extra
 

@@ -14,13 +14,13 @@ __all__ = ["Bar", "Point", "bars", "curves", "over_steps", "scatter"]
 
 RUN_COLORS = "#1b5e9b", "#c2571a", "#2e7d4f", "#8a3d8f", "#7a5a12", "#555555"
 DPI = 150
-SMOOTH = 0.9  # of an exponential average
+SMOOTH = 0.9  # decay factor of the exponential average
 Series = Mapping[str, Sequence[float | None]]
 """Of each run, a number for each step; None where there is none."""
 
 
 def curves(path: Path, panels: Mapping[str, Series]) -> None:
-    """A panel for each quantity with a line for each run over its steps: pale as measured, strong as averaged."""
+    """Plot a panel for each quantity with a line per run: raw values in pale, averages in strong colour."""
     check(path)
     with matplotlib().rc_context({**SETTINGS, "font.size": 8.0}):
         from matplotlib.figure import Figure  # noqa: PLC0415 - heavy, and an extra
@@ -48,7 +48,7 @@ def curves(path: Path, panels: Mapping[str, Series]) -> None:
 
 
 def averaged(values: Sequence[float]) -> list[float]:
-    """Return an exponential average, without bias at the start."""
+    """Return the exponential average of values, with bias correction at the start."""
     found, total, weight = list[float](), 0.0, 0.0
     for value in values:
         total = SMOOTH * total + (1.0 - SMOOTH) * value
@@ -66,7 +66,7 @@ LONGEST = 24  # characters of a name on an axis
 
 
 class Bar(NamedTuple):
-    """A share with its interval, from 0 to 1."""
+    """A fraction with its interval, from 0 to 1."""
 
     value: float
     low: float
@@ -74,7 +74,7 @@ class Bar(NamedTuple):
 
 
 class Point(NamedTuple):
-    """A named point with intervals both ways."""
+    """A named point with intervals in both coordinates."""
 
     name: str
     x: Bar
@@ -86,13 +86,13 @@ def _short(name: str) -> str:
 
 
 def _errors(held: Sequence[Bar]) -> list[list[float]]:
-    """Return how far the intervals reach below and above, in per cent."""
+    """Return the lower and upper lengths of the error bars, in per cent."""
     below = [100 * max(0.0, bar.value - bar.low) for bar in held]
     return [below, [100 * max(0.0, bar.high - bar.value) for bar in held]]
 
 
 def bars(path: Path, title: str, groups: Sequence[str], held: Mapping[str, Sequence[Bar | None]]) -> None:
-    """For each group a bar of every policy, in per cent, with its interval; None leaves its place empty."""
+    """Plot a bar for each policy in each group, in per cent with its interval; None leaves a gap."""
     check(path)
     with matplotlib().rc_context({**SETTINGS, "font.size": 9.0}):
         from matplotlib.figure import Figure  # noqa: PLC0415 - heavy, and an extra
@@ -125,7 +125,7 @@ def bars(path: Path, title: str, groups: Sequence[str], held: Mapping[str, Seque
 def over_steps(
     path: Path, steps: Sequence[int], accuracy: Mapping[str, Sequence[Bar]], length: Mapping[str, Sequence[float]]
 ) -> None:
-    """Accuracy with its interval, and under it the length of responses, over steps of training."""
+    """Plot accuracy with its interval, and below it the response length, over training steps."""
     check(path)
     with matplotlib().rc_context({**SETTINGS, "font.size": 9.0}):
         from matplotlib.figure import Figure  # noqa: PLC0415 - the same
@@ -147,7 +147,7 @@ def over_steps(
 
 
 def scatter(path: Path, points: Sequence[Point], across: str, up: str, title: str) -> None:
-    """A point for each model, with its intervals both ways."""
+    """Plot a point for each model, with its intervals in both coordinates."""
     check(path)
     with matplotlib().rc_context({**SETTINGS, "font.size": 9.0}):
         from matplotlib.figure import Figure  # noqa: PLC0415 - the same

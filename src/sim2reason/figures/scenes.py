@@ -1,4 +1,4 @@
-"""A scene in, a file out: the drawing of its initial state, or the plot of its motion."""
+"""Figures of scenes: the drawing of the initial state, and the plot of the motion."""
 
 from pathlib import Path
 
@@ -83,7 +83,7 @@ def plot(
 
 
 def _given(scene: SceneLike, wording: Wording | None, function: str) -> tuple[Scene, Wording | None]:
-    """Return the scene with its wording; by default the wording in the scene's file, None without a file."""
+    """Return the scene with its wording; the default is the wording in the scene's file, else None."""
     held, text = given_scene(scene, function)
     return held, wording or (wording_of(text) if text else None)
 

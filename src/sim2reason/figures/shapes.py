@@ -1,4 +1,4 @@
-"""What a drawing is made of: a few frozen shapes, and labels that still look for their place."""
+"""Shapes of a drawing as frozen values, and labels with candidate positions."""
 
 import re
 from collections.abc import Iterable
@@ -9,10 +9,10 @@ from sim2reason.figures.vectors import Box, Polygon, box, rectangle, ring
 
 Weight = Literal["hair", "thin", "edge", "string", "rod", "dots"]
 Fill = Literal["", "block", "wedge", "fixed", "disc", "ink", "table", "ball", "star", "field"]
-HATCH, STEP = 0.2, 0.22  # length and distance of the strokes that mark what is fixed
+HATCH, STEP = 0.2, 0.22  # units: length and distance of the strokes that mark fixed surfaces
 SLANT = complex(-0.7071, -0.7071)
 SIZE, SMALL, TINY = 0.42, 0.34, 0.28  # heights of names, of numbers, and of numbers inside blocks
-LETTER = 2  # characters; longer names are nouns
+LETTER = 2  # characters of a letter with index; longer names are nouns
 NAMED, LATEX = (
     re.compile(r"\\[a-zA-Z]+"),
     re.compile(r"[${}_^\\]"),
@@ -22,7 +22,7 @@ WIDE = {"m": 0.98, "w": 0.82, "M": 0.87, "W": 0.99, "i": 0.3, "l": 0.3, ".": 0.3
 
 @dataclass(frozen=True, slots=True)
 class LineShape:
-    """Straight strokes from point to point."""
+    """A line of straight strokes through given points."""
 
     points: Polygon
     weight: Weight = "edge"
@@ -32,7 +32,7 @@ class LineShape:
 
 @dataclass(frozen=True, slots=True)
 class Area:
-    """A closed outline, filled."""
+    """A closed, filled outline."""
 
     points: Polygon
     fill: Fill = ""
@@ -42,7 +42,7 @@ class Area:
 
 @dataclass(frozen=True, slots=True)
 class Arc:
-    """A part of a circle, from `start` to `stop` degrees; a whole one can be filled."""
+    """A circular arc from `start` to `stop`, in degrees; a full circle can be filled."""
 
     center: complex
     radius: float
@@ -53,13 +53,13 @@ class Arc:
 
     @property
     def whole(self) -> bool:
-        """Return whether it is a full circle."""
+        """Return whether the arc is a full circle."""
         return self.stop - self.start >= 360.0
 
 
 @dataclass(frozen=True, slots=True)
 class Label:
-    """A text at its place; `subject` is what it names or belongs to, an address."""
+    """A text at its position; `subject` is the address of the labelled object."""
 
     text: str
     at: complex
@@ -70,13 +70,13 @@ class Label:
 
     @property
     def box(self) -> Box:
-        """The rectangle that it covers."""
+        """Return the rectangle covered by the label."""
         return box(rectangle(self.at, width(self.text, self.size), self.size))
 
 
 @dataclass(frozen=True, slots=True)
 class Wanted:
-    """A label with alternative places, the best first; beside one of its `anchors` it has a leader line to it."""
+    """A label with candidate positions, the best first; beside one of its `anchors` it gets a leader line."""
 
     text: str
     places: tuple[complex, ...]
@@ -97,7 +97,7 @@ class Drawing:
     labels: tuple[Label, ...] = ()
 
     def box(self) -> Box:
-        """Return the smallest rectangle around everything."""
+        """Return the smallest rectangle around all shapes and labels."""
         points = [point for shape in self.shapes for point in outline(shape)]
         corners = [complex(*corner) for label in self.labels for corner in (label.box[:2], label.box[2:])]
         return box([*points, *corners])
@@ -105,18 +105,18 @@ class Drawing:
 
 @dataclass
 class Sketch:
-    """Shapes and wanted labels of one piece, in its own place."""
+    """Mutable lists of shapes and wanted labels, relative to one origin."""
 
     shapes: list[Shape] = field(default_factory=list[Shape])
     labels: list[Wanted] = field(default_factory=list[Wanted])
 
     def extend(self, other: "Sketch") -> None:
-        """Put another one over it."""
+        """Add the shapes and labels of another sketch on top."""
         self.shapes += other.shapes
         self.labels += other.labels
 
     def moved(self, by: complex) -> "Sketch":
-        """Return the same elsewhere."""
+        """Return the sketch shifted by a vector."""
         return Sketch([moved(shape, by) for shape in self.shapes], [_label_moved(held, by) for held in self.labels])
 
 
@@ -126,12 +126,12 @@ def _label_moved(wanted: Wanted, by: complex) -> Wanted:
 
 
 def width(text: str, size: float) -> float:
-    """About how wide a text is; a little more rather than less. Between dollars it is a formula in LaTeX."""
+    """Return the approximate width of a text, in units, rounded up; text between dollars is LaTeX."""
     return size * sum(WIDE.get(letter, 0.66) for letter in LATEX.sub("", NAMED.sub("x", text)))
 
 
 def outline(shape: Shape) -> Polygon:
-    """Points along a shape; round ones as polygons."""
+    """Return points along a shape; circles are approximated by polygons."""
     if not isinstance(shape, Arc):
         return shape.points
     if shape.whole:
@@ -141,14 +141,14 @@ def outline(shape: Shape) -> Polygon:
 
 
 def moved(shape: Shape, by: complex) -> Shape:
-    """Return a shape elsewhere."""
+    """Return a shape shifted by a vector."""
     if isinstance(shape, Arc):
         return replace(shape, center=shape.center + by)
     return replace(shape, points=tuple(point + by for point in shape.points))
 
 
 def hatched(a: complex, b: complex) -> Iterable[Shape]:
-    """The face of something fixed, solid to the right of the way from `a` to `b`: a line with slanting strokes."""
+    """Return the shapes of a fixed surface: a line with slanting strokes to the right of the way from `a` to `b`."""
     way = (b - a) / abs(b - a)
     slant = way * SLANT
     yield LineShape((a, b), "edge")
@@ -159,11 +159,11 @@ def hatched(a: complex, b: complex) -> Iterable[Shape]:
 
 
 def rough(a: complex, b: complex, normal: complex) -> Shape:
-    """Dots under a face from `a` to `b`, on the side from which `normal` points: there is friction on it."""
+    """Return dots along a face from `a` to `b` that mark friction, on the side opposite to `normal`."""
     way = (b - a) / abs(b - a)
     return LineShape((a + 0.1 * way - 0.1 * normal, b - 0.1 * way - 0.1 * normal), "dots")
 
 
 def dot_at(center: complex, radius: float = 0.06) -> Shape:
-    """Return a small filled circle: an axle."""
+    """Return a small filled circle, which marks an axle."""
     return Arc(center, radius, fill="ink", weight="hair")

@@ -7,8 +7,8 @@ from itertools import pairwise
 Polygon = tuple[complex, ...]
 Box = tuple[float, float, float, float]  # left, bottom, right, top
 UP, RIGHT = 1j, 1.0 + 0.0j
-NOISE = 1e-15  # of a direction: what rounding leaves
-LEAST = 1e-5  # rise of a slope, and run of one that is not upright, which still can be drawn
+NOISE = 1e-15  # smaller components of a direction are rounding errors
+LEAST = 1e-5  # smallest slope that is drawn as inclined, and its counterpart for steep lines
 
 
 def dot(a: complex, b: complex) -> float:
@@ -22,29 +22,29 @@ def cross(a: complex, b: complex) -> float:
 
 
 def unit(a: complex) -> complex:
-    """`a` scaled to length 1; ZeroDivisionError for zero."""
+    """Return `a` scaled to length 1; ZeroDivisionError for zero."""
     return a / abs(a)
 
 
 def shown(uphill: complex) -> complex:
-    """Return the direction in which a slope is drawn: level or upright only if it is."""
+    """Return the direction in which a slope is drawn; horizontal or vertical only if it is exactly so."""
     rise = max(uphill.imag, LEAST) if uphill.imag > NOISE else 0.0
     run = max(abs(uphill.real), LEAST) if abs(uphill.real) > NOISE else 0.0
     return complex(round(-run if uphill.real < 0.0 else run, 9), round(rise, 9))
 
 
 def mirrored(a: complex) -> complex:
-    """`a` as seen in an upright mirror."""
+    """Return `a` mirrored at a vertical line."""
     return complex(-a.real, a.imag)
 
 
 def degrees(a: complex) -> float:
-    """Return the direction of `a`, counted from the x axis against the clock."""
+    """Return the direction of `a` in degrees, counterclockwise from the x axis."""
     return phase(a) * 57.29577951308232
 
 
 def hull(points: Iterable[complex]) -> Polygon:
-    """Return the convex hull, against the clock."""
+    """Return the convex hull of points, counterclockwise."""
     ordered = sorted(set(points), key=lambda p: (p.real, p.imag))
     if len(ordered) < 3:
         return tuple(ordered)
@@ -62,7 +62,7 @@ def _chain(points: Sequence[complex]) -> list[complex]:
 
 
 def box(points: Iterable[complex]) -> Box:
-    """Return the smallest upright rectangle around points."""
+    """Return the smallest axis-aligned rectangle around points."""
     held = list(points)
     across, up = [p.real for p in held], [p.imag for p in held]
     return min(across), min(up), max(across), max(up)
@@ -81,7 +81,7 @@ def ring(center: complex, radius: float) -> Polygon:
 
 
 def depth(one: Polygon, other: Polygon) -> float:
-    """Return how far two convex polygons reach into each other; negative or zero if a line parts them."""
+    """Return the penetration depth of two convex polygons; negative or zero if they are separate."""
     found = float("inf")
     for polygon in (one, other):
         for a, b in pairwise((*polygon, polygon[0])):
@@ -123,7 +123,7 @@ def common(one: Box, other: Box) -> float:
 
 
 def length_inside(a: complex, b: complex, area: Box) -> float:
-    """Return how much of a segment lies in a box."""
+    """Return the length of the part of a segment inside a box."""
     enter, leave, way = 0.0, 1.0, b - a
     for start, step, low, high in ((a.real, way.real, area[0], area[2]), (a.imag, way.imag, area[1], area[3])):
         if step == 0.0:

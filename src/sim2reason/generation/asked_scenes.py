@@ -1,4 +1,4 @@
-"""Example scenes with questions that recipes never ask, and of entities that the scenes of recipes seldom have."""
+"""Example scenes for questions and entities that recipes rarely or never produce."""
 
 from sim2reason.generation.example_scenes import ExampleScene
 

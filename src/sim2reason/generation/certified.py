@@ -1,4 +1,4 @@
-"""Questions that passed every filter, and their worked solutions."""
+"""Questions that passed all filters, with their worked solutions."""
 
 from dataclasses import dataclass
 
@@ -20,7 +20,7 @@ from sim2reason.text.prose.description import Description
 
 @dataclass(frozen=True)
 class CertifiedQuestion:
-    """A question that passed, with its text and what vouches for its answer."""
+    """A question that passed all filters, with its text and the certificate of its answer."""
 
     candidate: Candidate
     study: Study  # its motion is recorded beyond what is asked, and cut where the engines part
@@ -33,23 +33,23 @@ class CertifiedQuestion:
 
     @property
     def question(self) -> Question:
-        """Return the question that passed, which holds its answer."""
+        """Return the question, which contains its answer."""
         return self.candidate.question
 
     @property
     def prompt(self) -> str:
-        """Return the whole text of the problem, with all its parts."""
+        """Return the complete text of the problem, with all its parts."""
         return self.text or self.candidate.prompt
 
     @cached_property
     def shortest(self) -> Solution:
-        """Return the solution that difficulty and needs are measured by, an integration if there is no shorter one."""
+        """Return the solution that determines difficulty and needs; an integration only if there is no shorter one."""
         found = self.candidate.solution
         return found if found is not None and found.answer is not None else solve(self.setting)
 
     @cached_property
     def measured(self) -> SolutionDifficulty | None:
-        """Return the difficulty by the shortest solutions of all parts; None if there is one without."""
+        """Return the difficulty from the shortest solutions of all parts; None if some part has none."""
         parts = [part.certified for part in self.parts] or [self]
         if any(part.shortest.answer is None for part in parts):
             return None
@@ -65,7 +65,7 @@ class CertifiedQuestion:
 
 @dataclass(frozen=True)
 class CertifiedPart:
-    """A part of a problem: a question that passed, with its solution and the earlier parts that lead to it."""
+    """A part of a problem: a certified question with its solution and the earlier parts that it uses."""
 
     certified: CertifiedQuestion
     solution: Solution
@@ -74,9 +74,9 @@ class CertifiedPart:
 
 
 def worked(request: Request, found: CertifiedQuestion) -> Solution:
-    """Return the solution of a question that passed, in the units of its text; one without an answer says why.
+    """Return the worked solution of a certified question in the units of its text; an empty one states why.
 
-    Where there are several parts, it is that of all.
+    For several parts this is the solution of all parts.
     """
     if found.parts:
         return together(worked_parts(request, found, whole=True))
@@ -87,7 +87,7 @@ def worked(request: Request, found: CertifiedQuestion) -> Solution:
 
 
 def worked_parts(request: Request, found: CertifiedQuestion, *, whole: bool = False) -> list[Solution]:
-    """Return the solution of each part of a problem, starting from the answers to earlier parts; see `in_sequence`."""
+    """Return the solution of each part of a problem, using the answers to earlier parts."""
     settings = [part.certified.setting for part in found.parts]
     solutions = in_sequence(settings, [part.solution for part in found.parts], whole=whole)
     asked = (part.certified.question for part in found.parts)
@@ -95,14 +95,14 @@ def worked_parts(request: Request, found: CertifiedQuestion, *, whole: bool = Fa
 
 
 def _in_units(request: Request, found: CertifiedQuestion, asked: Question, solution: Solution) -> Solution:
-    """Return the solution of one question in the units of the whole text."""
+    """Return the solution of one question in the units of the complete text."""
     answers = [part.certified.question for part in found.parts] or [asked]
     said = ((question.answer, question.unit) for question in answers)
     return told_in(system_named(request.units).beside(found.prompt, *said), solution, asked.unit)
 
 
 def recorded(solution: Solution) -> tuple[SolutionRecord | None, str]:
-    """Return its record, or None and why there is none."""
+    """Return the record of a solution; None, with the reason, if it has no answer."""
     if solution.answer is None:
         return None, solution.reason
     steps = tuple(

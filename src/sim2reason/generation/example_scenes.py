@@ -1,10 +1,10 @@
-"""Example scenes, as the texts of scene files, with features that recipes seldom draw, and questions about them."""
+"""Example scene files with features that recipes rarely draw, and questions about them."""
 
 from typing import NamedTuple
 
 
 class ExampleScene(NamedTuple):
-    """The text of a scene file, and questions in ordinary English about what recipes never ask of it."""
+    """The text of a scene file, with questions in ordinary English that recipes never ask."""
 
     text: str
     asked: tuple[str, ...] = ()

@@ -1,4 +1,4 @@
-"""Grade a response by the answer of an item: the grader takes plain values."""
+"""Grading of a response against the answer of an item."""
 
 from sim2reason.generation.item import Answer
 from sim2reason.grading import Score, choice, formula, number, parts
@@ -7,7 +7,7 @@ from sim2reason.questions.choice_prompts import LETTERS
 
 
 def grade_answer(answer: Answer, response: object, *, lenient: bool = False, partial: bool = False) -> Score:
-    """Grade a response by the answer alone, as the rows of exports have it; see `grade`."""
+    """Grade a response against the answer alone, as the rows of exports contain it; see `grade`."""
     if answer.parts:
         return parts(response, [_grader(part) for part in answer.parts], partial=partial)
     if answer.letter:

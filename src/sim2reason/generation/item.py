@@ -1,4 +1,4 @@
-"""An item: one problem with its answer, and all that is needed to check or make it again."""
+"""Items: one problem with its answer, and the data to verify or regenerate it."""
 
 import json
 from collections.abc import Iterator, Sequence
@@ -23,7 +23,7 @@ from sim2reason.questions.choice_prompts import LETTERS
 from sim2reason.scenes.dsl.measures import join_unit
 from sim2reason.text.prose.symbol_names import counted_in, said_in
 
-WIDTH = 88  # characters in a line of a prompt that is printed
+WIDTH = 88  # characters in a line of a printed prompt
 
 
 class Record(BaseModel):
@@ -32,12 +32,12 @@ class Record(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid")
 
     def __repr__(self) -> str:
-        """Return the class and the fields that differ from their defaults, long values cut."""
+        """Return the class and the fields that differ from their defaults, with long values shortened."""
         shown = (f"{name}={abridged(repr(value), 40)}" for name, value in self._given())
         return f"{type(self).__name__}({', '.join(shown)})"
 
     def __str__(self) -> str:
-        """Return the same as `repr`."""
+        """Return the same text as `repr`."""
         return repr(self)
 
     def _given(self) -> Iterator[tuple[str, object]]:
@@ -48,7 +48,7 @@ class Record(BaseModel):
 
 
 def unfolded(value: object) -> object:
-    """Return what a JSON text says, as rows of shards hold what has keys of its own; anything else as it is.
+    """Return the value of a JSON text, which shards store for nested fields; other values unchanged.
 
     Raises:
         ValueError: a text that is no JSON.
@@ -60,14 +60,14 @@ FOLDED = BeforeValidator(unfolded)
 
 
 class Binding(Record):
-    """Numbers for all symbols of a problem, in their order, and the answer that the engine finds with them."""
+    """Values of all symbols of a problem in order, and the engine's answer with them."""
 
     numbers: tuple[FiniteFloat, ...]
     answer: FiniteFloat
 
 
 class FormulaRecord(Record):
-    """An answer as a formula, with numbers for its symbols. They are in coherent units: rad, m/s, kg, C, or au, yr."""
+    """An answer as a formula with values of its symbols, in coherent units: rad, m/s, kg, C, or au, yr."""
 
     latex: str
     symbols: tuple[str, ...]
@@ -94,7 +94,7 @@ class FormulaRecord(Record):
         return [dict(zip(self.symbols, each.numbers, strict=True)) for each in self.bindings]
 
     def given(self, binding: int = 0) -> dict[str, str]:
-        """By symbol, the numbers of a binding in words, with their units, as a text would have them."""
+        """Return the values of one binding with their units, as in a text, by symbol."""
         numbers = self.bindings[binding].numbers
         pairs = zip(self.symbols, self.units, numbers, strict=True)
         return {symbol: said_in(number, unit) for symbol, unit, number in pairs}
@@ -143,7 +143,7 @@ class Answer(Record):
         return answer | {"formula": formula | {"units": units, "unit": counted_in(str(answer.get("unit", "")))}}
 
     def __str__(self) -> str:
-        """Return the answer for people, as `shown`."""
+        """Return the answer as readable text; see `shown`."""
         return self.shown
 
     @property
@@ -176,7 +176,7 @@ class SolutionStep(Record):
 
 
 class SolutionRecord(Record):
-    """A worked solution, whose answer stands in a box as the prompt asks for it."""
+    """A worked solution, with its answer in a box as the prompt requests."""
 
     strategy: str
     derived: bool
@@ -190,7 +190,7 @@ class SolutionRecord(Record):
 
 
 class Distractor(Record):
-    """A wrong answer that somebody could give, in the unit of the right one."""
+    """An incorrect answer that follows from a misconception, in the unit of the correct one."""
 
     value: FiniteFloat
     simplification: str
@@ -200,7 +200,7 @@ class Distractor(Record):
 
 
 class QueryRecord(Record):
-    """What the question asks for: a quantity of a subject, at a time (s) or an event."""
+    """The queried value of a question: a quantity of a subject, at a time (s) or event."""
 
     subject: str
     """The address of a body, string or contact in the scene."""
@@ -217,7 +217,7 @@ class QueryRecord(Record):
 
 
 class MeasuredDifficulty(Record):
-    """What the worked solution of a problem takes, in numbers; see docs/difficulty.md."""
+    """The measured difficulty of a problem's worked solution, as numbers; see docs/difficulty.md."""
 
     laws: int
     """How many laws of physics it uses."""
@@ -230,7 +230,7 @@ class MeasuredDifficulty(Record):
 
 
 class QuestionPart(Record):
-    """One part of a problem; its answer stands with those of the others in the item's answer."""
+    """One part of a problem; its answer is in the item's answer."""
 
     text: str
     """The question, as the prompt has it behind the label."""
@@ -247,7 +247,7 @@ class QuestionPart(Record):
 
 
 class Provenance(Record):
-    """Where an item comes from: with the same versions, the same request gives the same bytes."""
+    """The origin of an item; with the same versions, the same request gives identical bytes."""
 
     recipe: str
     difficulty: str
@@ -343,7 +343,7 @@ class Item(Record):
     @field_validator("certificate")
     @classmethod
     def _finite(cls, value: dict[str, JsonValue]) -> dict[str, JsonValue]:
-        """JSON knows no infinities; say so while the item is made, not when its shard is written."""
+        """Reject infinities, which JSON cannot represent, when the item is created."""
         json.dumps(value, allow_nan=False)
         return value
 

@@ -1,4 +1,4 @@
-"""Search for an item: scenes are drawn and asked about until one question passes every filter."""
+"""Search for an item: scenes and questions are drawn until one question passes every filter."""
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
@@ -27,7 +27,7 @@ SIMPLE = frozenset(need for need in Need if need <= ELEMENTARY)
 
 
 def allowed(request: Request) -> frozenset[Need]:
-    """Return what the item of a request may need: what is ordered, else a draw by `SHARE`."""
+    """Return the needs that the item of a request may have: those requested, else a draw by `SHARE`."""
     if request.needs:
         return frozenset(NEEDS[name] for name in request.needs)
     if request.unfiltered:
@@ -48,9 +48,9 @@ def formed(
     refused: Counter[str],
     name: str,
 ) -> CertifiedQuestion | None:
-    """Return the problem of a mode; None where the scene offers none, which is counted in `refused`.
+    """Return the problem in a mode, with its parts or options; None, counted in `refused`, if impossible.
 
-    The order of options hangs on the `name` alone.
+    The order of options depends only on `name`.
     """
     if mode.several:
         return PartSearch(search, mode, difficulty, rng, refused).around(found)
@@ -69,31 +69,32 @@ def formed(
 
 
 SCENES = 60  # drawn for one item, at most
-TOGETHER = 2  # of them are asked for the first kind before another one has its turn
+TOGETHER = 2  # scenes tried with one question kind before the next kind
 TRIES = 2  # questions of one kind about one scene
-EMPTY = 40  # scenes that offer nothing at all, after which none is expected to: most cost no more than their draw
-OTHERS = 3  # times that other kinds have their turn with these scenes, before new ones are drawn
-KNOWN = 4  # questions of one kind that few laws answer, after which it is asked last: most scenes of a cell are alike
-REFUSED = 6  # questions of one kind that any filter refuses, after which it is asked last, too
-UNFIT = 120  # times that all draws of a kind need other means, after which none is expected to do
-HOPELESS = 2  # times that all draws of a kind need other means, after which it is asked last: most scenes are alike
-BEYOND = 2  # kinds that need other means, after which a scene is not asked for others
-ABSENT = 3  # scenes that do not offer a kind, after which it is asked last, too
+EMPTY = 40  # scenes without any question after which the search ends
+OTHERS = 3  # rounds of other kinds on the same scenes before new ones are drawn
+KNOWN = 4  # questions of a kind rejected for few laws after which the kind is tried last
+REFUSED = 6  # questions of a kind rejected by any filter after which the kind is tried last
+UNFIT = 120  # draws of a kind that all need disallowed means after which the search gives up
+HOPELESS = 2  # draws of a kind that all need disallowed means after which the kind is tried last
+BEYOND = 2  # kinds needing disallowed means after which a scene is abandoned
+ABSENT = 3  # scenes that do not offer a kind after which the kind is tried last
 SETTINGS = SCENES, TOGETHER, TRIES, OTHERS, EMPTY, KNOWN, REFUSED, UNFIT, HOPELESS, BEYOND, ABSENT
 
 Drawn = tuple[QuestionSearch, np.random.Generator]
 
 
 class ItemSearch:
-    """The search for one item: an order of kinds is drawn by their weights, once.
+    """The search for one item, with a random order of question kinds by weight.
 
-    Each scene is asked the first kind of that order that it offers. Only where this fails in a few scenes, those
-    scenes, which are simulated by then, are asked other kinds, and the next few begin with the next kind. So what is
-    hard to pass is hardly kept less often. But what a textbook has ready is no problem about the next scene, either.
+    Each scene is tried with the first kind in the order that it offers. If a few scenes fail, the same scenes, already
+    simulated, are tried with other kinds, and the next scenes start with the next kind. Hence kinds that rarely pass
+    the filters are kept almost as often as others. A kind whose answers are textbook ones is not retried on the next
+    scene.
     """
 
     def __init__(self, request: Request) -> None:
-        """UnknownNameError for a name that is not known."""
+        """Store the request; UnknownNameError for an unknown name in it."""
         self._request, self._mode, self._recipe = request, MODES[request.mode], RECIPES[request.recipe]
         self._difficulty: Difficulty = difficulty_named(request.difficulty)
         self._kinds = in_drawn_order(request.mode, request.recipe, request.weights, self._generator("kinds"))
@@ -109,7 +110,7 @@ class ItemSearch:
 
     @property
     def wanted(self) -> str:
-        """The first kind of its order that a scene offers; empty if a textbook has all its answers ready."""
+        """Return the first kind in order that a scene offers; empty if all its answers are textbook ones."""
         return self._first if self._first in self._problems else ""
 
     def found(self) -> CertifiedQuestion | None:
@@ -123,9 +124,9 @@ class ItemSearch:
         return None
 
     def _order(self, turn: int) -> list[str]:
-        """Return the kinds in the order of a turn, each turn beginning with the next one.
+        """Return the kinds in the order of a round; each round begins with the next kind.
 
-        A costly kind is asked only in the turn that begins with it.
+        An expensive kind is tried only in the round that begins with it.
         """
         begin = turn % len(self._kinds)
         first, *others = *self._kinds[begin:], *self._kinds[:begin]
@@ -133,12 +134,12 @@ class ItemSearch:
         return sorted((first, *others), key=self._is_last)
 
     def _is_last(self, kind: str) -> bool:
-        """Return whether few scenes offer a kind, filters refuse most of its questions, or all need other means."""
+        """Return whether a kind is to be tried last: rarely offered, mostly rejected, or in need of other means."""
         known = self._known[kind] >= KNOWN or self._absent[kind] >= ABSENT
         return known or self._refused[kind] >= REFUSED or self._unsuited[kind] >= HOPELESS
 
     def _among(self, attempts: range, kinds: Sequence[str]) -> CertifiedQuestion | None:
-        """Return a question about one of some scenes."""
+        """Return a question about one of several scenes, or None."""
         drawn: list[Drawn] = []
         for search, rng in self._scenes(attempts):
             drawn.append((search, rng))
@@ -157,7 +158,7 @@ class ItemSearch:
         return None
 
     def _scenes(self, attempts: range) -> Iterator[Drawn]:
-        """Yield those scenes that can be asked about."""
+        """Yield the scenes that allow questions."""
         for attempt in attempts:
             rng = self._generator(attempt)
             try:
@@ -186,7 +187,7 @@ class ItemSearch:
     def _first_kind(
         self, search: QuestionSearch, rng: np.random.Generator, kinds: Sequence[str]
     ) -> CertifiedQuestion | None:
-        """Return a question of the first kind that a scene offers."""
+        """Return a question of the first kind that a scene offers, or None."""
         for kind in kinds:
             if len(search.beyond) >= BEYOND:
                 return None
@@ -221,5 +222,5 @@ class ItemSearch:
 
 
 def _counted(error: Exception) -> str:
-    """Under which name a manifest counts an error."""
+    """Return the name under which a manifest counts an error."""
     return type(error).__name__.removesuffix("Error").lower()

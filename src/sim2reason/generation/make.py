@@ -40,9 +40,9 @@ from sim2reason.text.prose.symbol_names import counted_in
 
 
 def told_in(system: SpokenUnits, item: Item) -> Item:
-    """Return the same problem with all numbers of its text, its answer and its wrong answers in a system of units.
+    """Return the problem with all numbers of its text, answer and distractors in a system of units.
 
-    One in symbols stays as it is: its formula holds in any.
+    Symbolic problems are unchanged, because their formulas hold in any units.
     """
     if item.answer.formula is not None:
         return item
@@ -68,7 +68,7 @@ def told_in(system: SpokenUnits, item: Item) -> Item:
 
 
 def _options_told_in(system: SpokenUnits, item: Item) -> Item:
-    """Return the same of a multiple choice, whose options are in the unit of the answer."""
+    """Return a multiple-choice problem in a system of units; its options have the unit of the answer."""
     answer, told = _answer(system, item.answer), ChoicePrompt.read(item.prompt)
     question = spoken_in(system, told.question)
     return item.model_copy(
@@ -83,7 +83,7 @@ def _options_told_in(system: SpokenUnits, item: Item) -> Item:
 
 
 def _parts_told_in(system: SpokenUnits, item: Item) -> Item:
-    """Return the same of a problem with several parts, whose last line names the units of all answers."""
+    """Return a multi-part problem in a system of units, with the units of all answers in its last line."""
     units = [system.spelled(answer.unit)[0] for answer in item.answer.parts]
     told = PartPrompt.read(item.prompt)
     said = tuple(unit_in_words(unit) if unit else old for unit, old in zip(units, told.units, strict=True))
@@ -132,7 +132,7 @@ SETTINGS = hashlib.sha256(
 
 
 def make(request: Request) -> Made:
-    """Draw scenes and questions until one passes every filter; UnknownNameError for a name that is not known."""
+    """Draw scenes and questions until one passes every filter; UnknownNameError for an unknown name."""
     search = ItemSearch(request)
     found = search.found()
     item = item_of(request, found) if found is not None else None
@@ -140,7 +140,7 @@ def make(request: Request) -> Made:
 
 
 def item_of(request: Request, found: CertifiedQuestion) -> Item:
-    """Return the record of a question that passed."""
+    """Return the item for a certified question."""
     scene = found.description.scene
     question = found.question
     solution, unsolved = recorded(worked(request, found)) if request.solutions else (None, "")
@@ -182,7 +182,7 @@ def item_of(request: Request, found: CertifiedQuestion) -> Item:
 
 
 def with_options(item: Item, found: CertifiedQuestion) -> Item:
-    """Return a numeric item as a multiple choice."""
+    """Return a numeric item as a multiple-choice item."""
     answer, body, chosen = item.answer, without_form(item.prompt)[0], found.options
     numbers, letter = tuple(values(answer, chosen)), LETTERS[chosen.index(None)]
     texts = _names_and(numbers, answer.unit, found)
@@ -192,7 +192,7 @@ def with_options(item: Item, found: CertifiedQuestion) -> Item:
 
 
 def _names_and(numbers: Sequence[float], unit: str, found: CertifiedQuestion) -> tuple[str, ...]:
-    """Return the text of each option that names one of two beside a number; empty if options are numbers alone."""
+    """Return the texts of options that name one of two objects beside a number; empty for plain numbers."""
     kind, query, words = found.candidate.kind, found.question.query, found.candidate.words
     if not isinstance(kind, WhichKind) or not isinstance(query, WhichQuery) or words is None:
         return ()
@@ -201,7 +201,7 @@ def _names_and(numbers: Sequence[float], unit: str, found: CertifiedQuestion) ->
 
 
 def _wrong_answers(found: CertifiedQuestion) -> tuple[Distractor, ...]:
-    """Return those of a question; where it has options, the wrong ones among them, and parts have their own."""
+    """Return the distractors of a question: the wrong options if it has options, none for parts."""
     if found.parts:
         return ()
     if found.options:
@@ -210,7 +210,7 @@ def _wrong_answers(found: CertifiedQuestion) -> tuple[Distractor, ...]:
 
 
 def _parts_of(request: Request, found: CertifiedQuestion) -> tuple[QuestionPart, ...]:
-    """Return the records of the parts of a problem that has several."""
+    """Return the records of the parts of a multi-part problem."""
     solutions = worked_parts(request, found) if request.solutions else []
     records = [recorded(solution) for solution in solutions] or [(None, "")] * len(found.parts)
     return tuple(
@@ -229,19 +229,19 @@ def _parts_of(request: Request, found: CertifiedQuestion) -> tuple[QuestionPart,
 
 
 def _in_all(found: CertifiedQuestion, idle: Callable[[Candidate, Description], tuple[str, ...]]) -> tuple[str, ...]:
-    """Return what has no bearing on any part."""
+    """Return the names that are irrelevant (`idle`) to all parts."""
     candidates = [part.certified.candidate for part in found.parts] or [found.candidate]
     each = [idle(candidate, found.description) for candidate in candidates]
     return tuple(name for name in each[0] if all(name in others for others in each[1:]))
 
 
 def _wording_of(description: Description) -> Wording:
-    """Return how the prompt words its scene, so that a figure made from the scene file alone uses the same names."""
+    """Return the wording of the scene in the prompt, so that a figure from the scene file uses the same names."""
     return Wording(description.seed, description.symbolic, tuple(sorted(description.without)))
 
 
 def answer_of(found: CertifiedQuestion) -> Answer:
-    """Return the record of its answer, or of those to its parts."""
+    """Return the record of the answer, or of the answers to all parts."""
     question, tolerance = found.question, found.candidate.tolerance
     formula = _formula_of(question.formula, question.unit) if question.formula is not None else None
     return Answer(
@@ -255,7 +255,7 @@ def answer_of(found: CertifiedQuestion) -> Answer:
 
 
 def _formula_of(formula: Formula, unit: str) -> FormulaRecord:
-    """Return the record of a formula for an answer that is asked for in `unit`."""
+    """Return the record of a formula for an answer in `unit`."""
     pairs = zip(formula.points, formula.values, strict=True)
     return FormulaRecord(
         latex=formula.latex,
@@ -267,7 +267,7 @@ def _formula_of(formula: Formula, unit: str) -> FormulaRecord:
 
 
 def _needs_of(found: CertifiedQuestion) -> str:
-    """Return the most advanced mathematics that a solution takes, of all parts if there are several."""
+    """Return the most advanced mathematics in the solution, over all parts."""
     parts = [part.certified for part in found.parts] or [found]
     return greatest(part.shortest.needs for part in parts).label
 
@@ -277,7 +277,7 @@ def _difficulty_of(taken: SolutionDifficulty) -> MeasuredDifficulty:
 
 
 def _query_of(found: CertifiedQuestion) -> QueryRecord:
-    """Return the record of what is asked."""
+    """Return the record of the query."""
     query, given = found.question.query, found.question.given
     kind = KINDS[query.kind]
     return QueryRecord(
@@ -293,7 +293,7 @@ def _query_of(found: CertifiedQuestion) -> QueryRecord:
 
 
 def summary(certificate: Certificate) -> dict[str, JsonValue]:
-    """Return what an item says of its certificate: the worst difference, the tolerance, until when, by whom."""
+    """Return the certificate's data for an item: largest difference, tolerance, end time and engines."""
     worst = max(certificate.agreement.values(), default=0.0)
     return {
         "engines": list(certificate.engines),

@@ -1,4 +1,4 @@
-"""Wrong answers to a problem, and the options of a multiple choice."""
+"""Distractors of a problem, and the options of a multiple-choice item."""
 
 from collections.abc import Iterator, Sequence
 from hashlib import blake2b
@@ -14,17 +14,17 @@ from sim2reason.scenes.dsl.entity import Part
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.text.prose.description import Description
 
-CLEARLY = 2.0  # of the tolerance: how far every wrong answer is from the right one
-SAME_ANSWER_RTOL = 1e-2  # relative: wrong answers that differ by less are one
+CLEARLY = 2.0  # times the tolerance: distance of a distractor from the correct answer
+SAME_ANSWER_RTOL = 1e-2  # relative; distractors that differ by less are merged
 SMALLEST, LARGEST = 1e-2, 1e3  # times the right answer: nobody would believe less or more
-FEW = 1  # wrong answers: where there are fewer, time is spent on others
-ENOUGH = 4  # of them, as many as stand beside the right one of five
+FEW = 1  # distractors; if there are fewer, a longer search runs
+ENOUGH = 4  # distractors: as many as beside the correct answer among five options
 
 
 def distractors(candidate: Candidate, description: Description, few: int = FEW) -> tuple[Distractor, ...]:
-    """Return what the slips lead to that change the answer beyond the tolerance, each value once, the nearest first.
+    """Return the distinct distractors from misconceptions, nearest first, at least `few` if possible.
 
-    Where they lead to fewer than `few`, answers are looked for that are far from the right one.
+    If misconceptions give fewer than `few`, a longer search includes answers far from the correct one.
     """
     found = list[Effect]()
     heard = sorted((e for part in (False, True) for e in effects(candidate, part=part)), key=_place)
@@ -36,18 +36,18 @@ def distractors(candidate: Candidate, description: Description, few: int = FEW) 
 
 
 def _place(effect: Effect) -> tuple[float, str]:
-    """By what wrong answers are put in order."""
+    """Return the sort key of a distractor."""
     return effect.change, effect.simplification.name
 
 
 def _fill(found: list[Effect], enough: int, offered: Iterator[Effect], candidate: Candidate) -> None:
-    """As many more as are missing, if so many are offered; no more are looked at."""
+    """Add offered distractors up to `enough`."""
     while len(found) < enough and (effect := next(offered, None)) is not None:
         _add(effect, candidate, found)
 
 
 def _add(effect: Effect, candidate: Candidate, found: list[Effect]) -> None:
-    """One more, if somebody could give this answer, would be wrong, and it is not there yet."""
+    """Add a distractor if it is believable, incorrect and new."""
     value, question = effect.answer, candidate.question
     if (
         value is None
@@ -71,15 +71,15 @@ def _told(effect: Effect, description: Description) -> Distractor:
 
 
 def idle_parts(candidate: Candidate, description: Description) -> tuple[str, ...]:
-    """Return the parts that could be held or left out, as the text calls them."""
+    """Return the names of parts that can be held fixed or omitted without effect."""
     idle = dict.fromkeys(effect.subject for effect in effects(candidate, part=True) if effect.close)
     return tuple(_called(subject, description) for subject in idle)
 
 
 def idle_numbers(candidate: Candidate, description: Description) -> tuple[str, ...]:
-    """Return the addresses of the stated numbers that hardly move the answer, even when they are halved or doubled.
+    """Return the addresses of stated numbers that hardly change the answer when halved or doubled.
 
-    A scene has more numbers than its text states: g where nothing falls, or how all begins where that is not told.
+    Numbers that the text does not state, such as g where nothing falls, are excluded.
     """
     stated = frozenset(description.told)
     told = (found for found in elasticities(candidate) if not stated.isdisjoint(found.given.paths))
@@ -93,7 +93,7 @@ def _reason(effect: Effect, description: Description) -> str:
 
 
 def _called(subject: str, description: Description) -> str:
-    """As the text calls a body, or a sentence another part; of what is neither, the name."""
+    """Return the name of a body or other part in the text; else the name in the scene."""
     scene = description.scene
     if subject in scene.bodies:
         return description.mention(subject)
@@ -103,16 +103,16 @@ def _called(subject: str, description: Description) -> str:
 
 
 def _at(scene: Scene, address: str) -> object:
-    """Return the scene's value at the address of a force; None if the force's name is no address."""
+    """Return the object at the address of a force; None if the name of the force is no address."""
     try:
         return scene.value(address)
     except SceneError:
         return None
 
 
-FEWEST = 3  # wrong answers
-OPTION_RTOL = 0.1  # relative: by how much an option differs from every other at least
-ROUNDING = 0.01  # relative: half a per cent of each of two rounded numbers
+FEWEST = 3  # distractors
+OPTION_RTOL = 0.1  # relative difference between any two options, at least
+ROUNDING = 0.01  # relative: half a per cent for each of two rounded numbers
 LACKS = f"it needs a number as its answer, and {FEWEST} wrong ones, all a tenth apart"
 
 OTHER, NAMES_OTHER = "other of two", "It names the other of the two."
@@ -123,10 +123,10 @@ Options = tuple[Distractor | None, ...]
 
 
 def options(answer: Answer, wrong: Sequence[Distractor], name: str) -> Options | None:
-    """Return the right answer and wrong ones in an order that hangs on a name, such as an item's id; None for too few.
+    """Return the correct answer and distractors in a random order seeded by `name`; None for too few.
 
-    Told in three digits, the right one is right for the grader, no other is, and each differs from all others by a
-    tenth of it or more. Each place is as likely for the right one as any other.
+    In three digits, the grader accepts only the correct option, and all options differ by at least a tenth. Every
+    position of the correct option is equally likely.
     """
     if answer.formula is not None or answer.parts:
         return None
@@ -140,9 +140,9 @@ def options(answer: Answer, wrong: Sequence[Distractor], name: str) -> Options |
 
 
 def options_of_two(answer: Answer, wrong: Sequence[Distractor], name: str) -> Options | None:
-    """Return four options: the right number and a wrong number, each with either of the two names.
+    """Return four options: the correct and a wrong number, each with either of two names.
 
-    A negative number is of the second of the two. None where no wrong number stands apart from the right one.
+    Negative numbers belong to the second name. None if no wrong number is distinct from the correct one.
     """
     size = answer.model_copy(update={"value": abs(answer.value)})
     sizes = (each.model_copy(update={"value": abs(each.value)}) for each in wrong)
@@ -156,7 +156,7 @@ def options_of_two(answer: Answer, wrong: Sequence[Distractor], name: str) -> Op
 
 
 def _beside(number: Distractor, answer: Answer) -> str:
-    """Return what is said of the name in the option with the number of `number` and the other name."""
+    """Return the explanation of the option with the value of `number` and the other name."""
     return NAMES_OTHER if number.value * answer.value > 0.0 else RIGHT_NAME
 
 
@@ -167,7 +167,7 @@ def _ordered(chosen: Sequence[Distractor | None], name: str) -> Options:
 
 
 def options_of(item: Item) -> Options | None:
-    """Return the options of a multiple choice, or those that an item could have; None for too few."""
+    """Return the options of a multiple-choice item, or those possible for another item; None for too few."""
     if not item.answer.letter:
         return options(item.answer, item.distractors, item.id)
     label, wrong = LETTERS.index(item.answer.letter), iter(item.distractors)
@@ -175,18 +175,18 @@ def options_of(item: Item) -> Options | None:
 
 
 def values(answer: Answer, chosen: Sequence[Distractor | None]) -> list[float]:
-    """Return the numbers of options."""
+    """Return the values of options."""
     return [answer.value if wrong is None else wrong.value for wrong in chosen]
 
 
 def _stands_apart(answer: Answer, wrong: Distractor, chosen: Sequence[Distractor | None]) -> bool:
-    """Return whether a wrong answer could not pass for another option."""
+    """Return whether a distractor cannot be confused with another option."""
     least = max(OPTION_RTOL, answer.tolerance) + ROUNDING
     others = values(answer, chosen)
     return all(abs(wrong.value - other) > least * max(abs(wrong.value), abs(other)) for other in others)
 
 
 def _graded(answer: Answer, texts: list[str]) -> bool:
-    """Return whether the one grader finds the first right, and no other."""
+    """Return whether the grader accepts only the first text as correct."""
     rewards = [grade_answer(answer, rf"\boxed{{{text}}}").reward for text in texts]
     return rewards == [1.0, *(0.0 for _ in texts[1:])]

@@ -1,9 +1,9 @@
-"""Find questions about one scene that lead to each other, as the parts of a problem.
+"""Search for related questions about one scene, which become the parts of a problem.
 
-One part leads to another if its answer is a quantity that the other's worked solution finds on its way, or the time of
-the moment that the other asks about. Candidates are looked for where that is likely: quantities that a solution finds,
-and further questions about the same moments. Each part passes every filter by itself; the difficulty is that of all
-parts, so that a further part may be easier than its label.
+One part leads to another if its answer is an intermediate result of the other's worked solution, or the time of the
+other's moment. Candidates are intermediate results of solutions, and further questions about the same moments. Each
+part passes every filter by itself; the difficulty is that of all parts together, so that a later part may be easier
+than its label.
 """
 
 from collections import Counter
@@ -32,11 +32,11 @@ from sim2reason.solutions.algebra.expressions import Symbol
 NUMBERS: dict[Difficulty, tuple[int, ...]] = {"easy": (2,), "medium": (2, 3), "hard": (3, 4)}
 """How many parts a problem has, each number as often."""
 FEWEST = 2
-LOOKED_AT, SIFTED = 16, 6  # candidates whose solutions are looked at, and those of them that filters see
-SURE_FIRST = 0.7  # how often what surely leads to a part is tried first
+LOOKED_AT, SIFTED = 16, 6  # candidates that are solved, and those of them that are filtered
+SURE_FIRST = 0.7  # probability that questions certainly related to a part are tried first
 EACH = 2  # further questions of a kind about one moment
-SAME = 1e-9  # relative: two values that differ by less are those of one quantity
-TRIVIAL = 1e-6  # relative: a ratio so close to a simple number is that
+SAME = 1e-9  # relative; closer values belong to one quantity
+TRIVIAL = 1e-6  # relative; ratios this close to a simple number are trivial
 LARGEST = 8  # numerator and denominator of a simple number
 NOTHING_LEADS = "parts: no two lead to each other"
 SETTINGS = NUMBERS, FEWEST, LOOKED_AT, SIFTED, EACH
@@ -44,23 +44,23 @@ SETTINGS = NUMBERS, FEWEST, LOOKED_AT, SIFTED, EACH
 
 @dataclass(frozen=True)
 class _Part:
-    """A question with its solution, which may have no answer."""
+    """A question with its solution, which may lack an answer."""
 
     certified: CertifiedQuestion
     solution: Solution
 
     @property
     def question(self) -> Question:
-        """The question."""
+        """Return the question."""
         return self.certified.question
 
     def follows(self, other: "_Part") -> bool:
-        """Return whether the other part leads to this one."""
+        """Return whether this part uses the other part's answer."""
         return _leads(other.question, other.solution, self.question, self.solution)
 
 
 class PartSearch:
-    """The search for parts about one scene, around a question that was found in it."""
+    """The search for the parts of a problem about one scene, starting from one question."""
 
     def __init__(
         self,
@@ -70,14 +70,14 @@ class PartSearch:
         rng: np.random.Generator,
         refused: Counter[str],
     ) -> None:
-        """`refused` counts what is refused, by filter."""
+        """Store the search context; `refused` counts rejections by filter."""
         self._search, self._mode, self._rng, self._refused = search, mode, rng, refused
         numbers = NUMBERS[difficulty]
         self._number = numbers[int(rng.random() * len(numbers))]
         self._looks, self._sifts = LOOKED_AT, SIFTED
 
     def around(self, found: CertifiedQuestion) -> CertifiedQuestion | None:
-        """Return a problem with `found` among its parts, whose last part it stands for; None if nothing leads to it."""
+        """Return a multi-part problem that includes `found`; None if no related part is found."""
         parts, asked = [_Part(found, solve(found.setting))], {found.question.query}
         while len(parts) < self._number and (len(parts) > 1 or self._may_be_joined(parts[0])):
             more = self._one_more(parts, asked)
@@ -90,7 +90,7 @@ class PartSearch:
         return self._as_one(parts)
 
     def _one_more(self, parts: list[_Part], asked: set[Query]) -> _Part | None:
-        """Return a part that leads to one of the others or is led to; what was tried before is not tried again."""
+        """Return a new part related to one of the others, or None; earlier candidates are not repeated."""
         for query in self._offered(parts):
             if query in asked:
                 continue
@@ -112,7 +112,7 @@ class PartSearch:
         return None
 
     def _may_be_joined(self, part: _Part) -> bool:
-        """Whether other parts may lead to it: its solution finds something on its way, or it waits for something."""
+        """Return whether other parts can lead to this one: it has intermediate results or awaits an event."""
         return bool(_found_in(part.solution)) or isinstance(part.question.query.moment, Happening)
 
     def _setting(self, question: Question) -> Setting:
@@ -120,12 +120,12 @@ class PartSearch:
         return Setting.of(question, search.study, search.words, search.description)
 
     def _joined(self, question: Question, solution: Solution, part: _Part) -> bool:
-        """Return whether one of the two leads to the other."""
+        """Return whether one of two questions leads to the other."""
         here, there = (question, solution), (part.question, part.solution)
         return _leads(*here, *there) or _leads(*there, *here)
 
     def _offered(self, parts: list[_Part]) -> Iterator[Query]:
-        """What may lead to parts, or they to it, in a random order; what surely leads to one comes first, mostly."""
+        """Yield candidate queries in random order; those certainly related to a part usually come first."""
         first = self._rng.random() < SURE_FIRST
         if not first:
             yield from self._others(parts)
@@ -135,7 +135,7 @@ class PartSearch:
             yield from self._others(parts)
 
     def _on_the_way(self, part: _Part) -> Iterator[Query]:
-        """Quantities that its solution finds, and the time of its moment."""
+        """Yield queries for intermediate results of a part's solution, and for the time of its moment."""
         study, moments = self._search.study, _moments([part])
         values = list(_found_in(part.solution).values())
         for when in moments:
@@ -150,7 +150,7 @@ class PartSearch:
                     yield from _query(target, when, study)
 
     def _others(self, parts: list[_Part]) -> Iterator[Query]:
-        """Further questions about the moments of the parts and the start; then one of each kind about anything."""
+        """Yield queries about the moments of the parts and the start, then one of each kind about anything."""
         search, kinds = self._search, sorted(self._mode.kinds)
         pairs: list[tuple[str, Moment]] = [(name, moment) for moment in _moments(parts) for name in kinds]
         order: list[int] = self._rng.permutation(EACH * len(pairs)).tolist()
@@ -162,7 +162,7 @@ class PartSearch:
             yield from [query] if query is not None else []
 
     def _at(self, kind: str, moment: Moment) -> Iterator[Query]:
-        """Yield a question of a kind about a moment, if there is one."""
+        """Yield a query of a kind about a moment, if there is one."""
         search = self._search
         query = KINDS[kind].at(moment, search.study, search.words, self._targets, self._rng)
         yield from [query] if query is not None else []
@@ -186,7 +186,7 @@ class PartSearch:
         return replace(ordered[-1].certified, description=description, shape=prompt.shape, parts=held, text=prompt.text)
 
     def _ordered(self, parts: list[_Part]) -> list[_Part]:
-        """Return each behind all that lead to it; else by time, then by the length of the solution."""
+        """Return the parts sorted: each after those that lead to it, then by time and length of solution."""
 
         def place(part: _Part) -> tuple[float, int]:
             query = part.question.query
@@ -201,14 +201,14 @@ class PartSearch:
 
 
 def _moments(parts: list[_Part]) -> list[Moment]:
-    """Return the start, and those of which parts speak."""
+    """Return the start, and the moments of the parts."""
     told = [part.question.query.moment for part in parts]
     found: list[Moment] = [AtStart(), *(moment for moment in told if moment is not None)]
     return list(dict.fromkeys(found))
 
 
 def _query(target: Target, when: Moment, study: Study) -> Iterator[Query]:
-    """Yield the question about a quantity at a moment, if it is worth asking there."""
+    """Yield the query for a quantity at a moment, if the kind accepts it."""
     if when.kind != AtStart.kind:
         told = Channel(target.subject, target.quantity) in when.tells
         if when.kind in KINDS and not told and changed(study, when)(target):
@@ -218,7 +218,7 @@ def _query(target: Target, when: Moment, study: Study) -> Iterator[Query]:
 
 
 def _leads(question: Question, solution: Solution, other: Question, to: Solution) -> bool:
-    """Whether the answer to a question is found on the way to another answer, or is the time that it is about."""
+    """Return whether the answer to a question is an intermediate result of another, or its time."""
     kind = KINDS[other.query.kind]
     hangs_on_end = not isinstance(kind, StretchKind) or kind.ends_matter
     if question.query.kind == "time_to_event" and question.query.moment == other.query.moment and hangs_on_end:
@@ -230,7 +230,7 @@ def _leads(question: Question, solution: Solution, other: Question, to: Solution
 
 
 def _found_in(solution: Solution) -> dict[str, tuple[float, str]]:
-    """Return the values and units of the names that a solution finds before its answer."""
+    """Return the values and units of a solution's intermediate results, by name."""
     results = (r for r in solution.relations if r.unit and isinstance(r.left, Symbol) and r.role in ("law", "result"))
     names = {relation.left.latex(): relation.unit for relation in results}
     return {
@@ -245,11 +245,11 @@ def _same(value: float, other: float) -> bool:
 
 
 def is_new(question: Question, other: Question, study: Study) -> bool:
-    """Return whether neither question tells the answer to the other, nor does one answer follow from the other at once.
+    """Return whether neither of two questions reveals or trivially implies the answer to the other.
 
-    An answer follows at once if it is a simple multiple of the other, of its square or of its inverse, or such a
-    multiple times a number that the text states: K = m v²/2, W = F d, f = 1/T. Nor do both state numbers for
-    different moments.
+    An answer follows trivially if it is a simple multiple of the other, of its square or of its inverse, or such a
+    multiple times a stated number: K = m v²/2, W = F d, f = 1/T. The questions must not state numbers for different
+    moments either.
     """
     if question.unit == other.unit and abs(question.answer - other.answer) <= TOLERANCE * abs(other.answer):
         return False
@@ -267,7 +267,7 @@ def is_new(question: Question, other: Question, study: Study) -> bool:
 
 
 def _tells(question: Question, other: Question) -> bool:
-    """Return whether a question states a number that would be paid as the answer to another."""
+    """Return whether a question states a number that would be accepted as the answer to another."""
     moment = question.query.moment
     stated = moment.stated if moment is not None else ()
     return any(
@@ -276,7 +276,7 @@ def _tells(question: Question, other: Question) -> bool:
 
 
 def _is_simple(ratio: float) -> bool:
-    """Return whether a number is a fraction of small numbers, or one of them times π."""
+    """Return whether a ratio is a fraction of small integers, possibly times π."""
     return any(
         abs(ratio * below / unit - round(ratio * below / unit)) <= TRIVIAL * ratio * below / unit
         and 1 <= round(ratio * below / unit) <= LARGEST

@@ -1,4 +1,4 @@
-"""An example of everything that can be asked, in words and in parts, found in scenes that the recipes draw."""
+"""Examples of all kinds of questions, in words and as structured parts, from scenes of the recipes."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
@@ -58,7 +58,7 @@ class Examples:
 
 
 def examples() -> Examples:
-    """Return the first example of each registered member that the example scenes offer; the result never varies."""
+    """Return the first example of each registered member in the example scenes; the result is constant."""
     found = Examples()
     for number, scene in enumerate(scenes()):
         motion, words = motion_of(scene), words_of(describe(scene, number))
@@ -76,7 +76,7 @@ def examples() -> Examples:
 
 @cache
 def scenes() -> tuple[Scene, ...]:
-    """Return the scenes to search for examples: first scenes with seldom-drawn features, then some of every recipe."""
+    """Return the scenes searched for examples: those with rare features first, then some of every recipe."""
     drawn = (sample(recipe, LEVELS[seed % len(LEVELS)], seed=seed) for seed in range(SEEDS) for recipe in RECIPES)
     return (*(loads(own.text) for own in (*OWN, *ASKED)), *drawn)
 
@@ -111,7 +111,7 @@ def _is_something(query: Query, motion: FollowedMotion) -> bool:
 
 
 def _stretches(moments: list[Moment], motion: FollowedMotion, words: Words, found: Examples) -> Iterator[Query]:
-    """Yield queries for each functional without an example, up to every moment for which the functional has a value."""
+    """Yield queries for each functional without an example, up to every moment at which it has a value."""
     for functional in FUNCTIONALS.values():
         named = words.called(functional.of) if functional.name not in found.functionals else ()
         for name in named:
@@ -124,9 +124,9 @@ def _stretches(moments: list[Moment], motion: FollowedMotion, words: Words, foun
 
 
 def _enter(query: Query, motion: FollowedMotion, words: Words, found: Examples, said: str = "") -> None:
-    """Add a query as the example of each name without one, if the query's parts are read back as an equal query.
+    """Add a query as the example of each name without one, if its parts parse back to an equal query.
 
-    Its sentence is the one that is `said`, or else the library's own.
+    The example's sentence is `said`, or else the library's own.
     """
     entries = _names(query)
     table = vars(found)
@@ -147,7 +147,7 @@ def _enter(query: Query, motion: FollowedMotion, words: Words, found: Examples, 
 
 
 def _names(query: Query) -> list[tuple[str, str]]:
-    """Return the registries and names of the members that a query is an example of."""
+    """Return the registries and names of the members that a query exemplifies."""
     names = [("kinds", query.kind)]
     if isinstance(query, WhichQuery):
         return names
@@ -191,7 +191,7 @@ def _of_others(query: NestedQuery | WhichQuery, motion: FollowedMotion, words: W
 
 
 def _of_two(first: StructuredQuestion | None, second: StructuredQuestion | None) -> StructuredQuestion | None:
-    """Return the parts of a question for one of two, whose subjects or moments differ."""
+    """Return the parts of a question that compares two queries with different subjects or moments."""
     if first is None or second is None:
         return None
     of, when = (OR.join(dict.fromkeys(pair)) for pair in ((first.of, second.of), (first.when, second.when)))

@@ -1,4 +1,4 @@
-"""The page on questions, ``docs/questions.md``, written from the registries with an example of everything."""
+"""The page ``docs/questions.md``, written from the registries with an example of each member."""
 
 from collections.abc import Iterator, Mapping
 
@@ -79,7 +79,7 @@ def _page() -> Iterator[str]:
 def _section(
     title: str, key: str, said: Mapping[str, str], found: Mapping[str, AskedExample], what: str = "what"
 ) -> Iterator[str]:
-    """Yield the lines of a table of a registry's members, each with its example if a scene offers an example."""
+    """Yield the lines of a table of a registry's members, each with its example if there is one."""
     yield from (f"## {title}", "", f"| `{key}` | {what} | in words | in parts |", "| --- | --- | --- | --- |")
     for name in sorted(said):
         example = found.get(name, AskedExample("", ""))
@@ -108,7 +108,7 @@ def _synonyms() -> Iterator[str]:
 
 
 def _textbook_scenes() -> Iterator[str]:
-    """Yield the lines of a list of the kinds of scene that are read in the words of textbooks."""
+    """Yield the lines of a list of scene kinds that are parsed in textbook language."""
     yield "## Scenes in the words of textbooks"
     yield ""
     yield "`sim2reason.parse_scene` reads the library's own texts, and these scenes in ordinary words, such as:"

@@ -1,4 +1,4 @@
-"""Ask about one scene until a question passes every filter."""
+"""Search for a question about one scene that passes every filter."""
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
@@ -26,14 +26,14 @@ from sim2reason.solutions.shortest import may_have_solution, shortest
 from sim2reason.text.prose.description import Description, describe
 
 SAMPLES = 41
-SHORTEST = 0.05  # of the horizon: a motion that may be used for less is of no use
+SHORTEST = 0.05  # of the horizon: shortest certified part of a motion
 WORDINGS = 6  # tries
-QUESTIONS = 4  # tries that differ
-DRAWS, MISSES = 8, 2  # of questions, and those that find nothing, at most
-CHOOSY = 8  # times as many draws, where only some quantities may be asked about
+QUESTIONS = 4  # different tries
+DRAWS, MISSES = 8, 2  # questions drawn, and failed draws in a row, at most
+CHOOSY = 8  # factor on the draws if only some quantities are allowed
 SETTINGS = SAMPLES, SHORTEST, WORDINGS, QUESTIONS, DRAWS, MISSES, CHOOSY
-NOTHING, INCOMPLETE = "nothing to ask", "incomplete"  # as a manifest counts them
-UNSUITED = "needs: before an answer"  # likewise
+NOTHING, INCOMPLETE = "nothing to ask", "incomplete"  # causes as counted in a manifest
+UNSUITED = "needs: before an answer"  # cause as counted in a manifest
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ class RefusedQuestion:
 
 @dataclass(frozen=True)
 class _Told:
-    """A question that filters look at, with its text."""
+    """A question with its text, ready for the filters."""
 
     candidate: Candidate
     description: Description
@@ -60,13 +60,13 @@ class _Told:
 
 
 def _kept(candidate: Candidate, *, witnessed: bool) -> Verdict:
-    """Return the verdict where no filter is heard."""
+    """Return a verdict that keeps the question, when filters are off."""
     del candidate, witnessed
     return Verdict(keep=True, filter="")
 
 
 class QuestionSearch:
-    """A scene with its motion and its text, which all questions about it share.
+    """A scene with its motion and text, shared by all questions about it.
 
     Raises:
         SceneError, UnsupportedError, SimulationError: the scene can not be built, modelled or solved.
@@ -83,7 +83,7 @@ class QuestionSearch:
         tolerance: float = TOLERANCE,
         needs: frozenset[Need] = EVERY,
     ) -> None:
-        """Prepare a search; `wording` is the seed of the first text that is tried, and empty `quantities` allow all.
+        """Prepare a search; `wording` seeds the text, and empty `quantities` allow all quantities.
 
         `needs` are the needs that solutions may have; questions with other needs are refused before their answers are
         computed. With a `difficulty`, questions of other difficulties are refused. A scene is followed to its horizon;
@@ -104,18 +104,18 @@ class QuestionSearch:
 
     @cached_property
     def description(self) -> Description:
-        """Its text, one whose sentences about strings can be followed, if one is found soon."""
+        """Return the text of the scene, if possible with sentences about strings that are easy to follow."""
         first = describe(self.study.scene, self._first_wording)
         others = (describe(self.study.scene, self._first_wording + n) for n in range(1, WORDINGS))
         return next((told for told in chain([first], others) if followed(told.sentences)), first)
 
     @cached_property
     def words(self) -> Words:
-        """Return what questions need to know of its text."""
+        """Return the context of questions from the text."""
         return words_of(self.description)
 
     def _words(self, told: "_Told") -> Words:
-        """Return what a question's own text says, of whose numbers some may be left out."""
+        """Return the context from a question's own text, which may omit some numbers."""
         said = told.description.told
         if len(said) == len(self.description.told):
             return self.words
@@ -123,7 +123,7 @@ class QuestionSearch:
         return replace(self.words, symbols=symbols)
 
     def _certified(self, query: Query, study: Study) -> tuple[Study, Certificate]:
-        """The motion as far as both engines vouch for it; the second follows it no further than a question needs."""
+        """Return the motion up to the end of the engines' agreement, and the certificate."""
         time = KINDS[query.kind].time(query, study)
         trace = study.trace if time is None else study.trace.through(BEYOND * time)
         known = self._vouched if study is self.study else None
@@ -136,7 +136,7 @@ class QuestionSearch:
 
     @cached_property
     def fault(self) -> str:
-        """Return why no question about the scene can pass, as a manifest counts it; empty if one can."""
+        """Return why no question about the scene can pass, as counted in a manifest; empty if one can."""
         if self.is_unstable:
             return f"unstable: {self.study.trace.cut}"
         verdict = Verdict(keep=True, filter="") if self._unfiltered else sift_scene(self.study)
@@ -146,7 +146,7 @@ class QuestionSearch:
 
     @property
     def is_unstable(self) -> bool:
-        """Return whether the engines give up before much of the motion is over."""
+        """Return whether the engines fail early in the motion."""
         return self.study.trace.stable_until < SHORTEST * float(self.study.trace.state.times[-1])
 
     def ask(
@@ -157,9 +157,9 @@ class QuestionSearch:
         kind: str = "",
         tries: int = QUESTIONS,
     ) -> CertifiedQuestion | None:
-        """Return a question that passes every filter, or None; what was refused is counted by filter in `refused`.
+        """Return a question that passes every filter, or None; rejections are counted by filter in `refused`.
 
-        Of one kind where one is named: then it is a matter of course that a scene may offer none.
+        If a `kind` is given, a scene that does not offer it is not counted as a rejection.
         """
         if self.fault:
             refused[self.fault] += 1
@@ -179,7 +179,7 @@ class QuestionSearch:
         refused: Counter[str],
         beside: tuple[Candidate, ...],
     ) -> CertifiedQuestion | None:
-        """Draw a further part of a problem; None if a filter refuses it, which `refused` counts by filter."""
+        """Return a question after all filters; None if one rejects it, counted in `refused`."""
         found = self._judged(question, mode, rng, beside)
         if isinstance(found, CertifiedQuestion):
             return found
@@ -221,7 +221,7 @@ class QuestionSearch:
         return CertifiedQuestion(candidate, study, certificate, told.description, told.shape), last
 
     def described(self, questions: Sequence[Question]) -> Description:
-        """Return the text for several questions about the scene: it leaves out only what matters to none of them."""
+        """Return the text for several questions, without the sentences that matter to none of them."""
         topics = self.description.topics
         idle = (irrelevant(question, self.study, topics) for question in questions)
         return self._leaving_out(frozenset[Topic].intersection(*idle))
@@ -229,7 +229,7 @@ class QuestionSearch:
     def _told(
         self, question: Question, mode: QuestionMode, rng: np.random.Generator, beside: tuple[Candidate, ...]
     ) -> "_Told":
-        """Return a question with its prompt, as filters look at it."""
+        """Return a question with its prompt, ready for the filters."""
         study = mode.study(question, self.study)
         description = mode.described(question, self._leaving_out(irrelevant(question, study, self.description.topics)))
         prompt = shaped(description, question, rng)
@@ -251,24 +251,24 @@ class QuestionSearch:
         return _Told(candidate, description, prompt.shape)
 
     def _leaving_out(self, topics: frozenset[Topic]) -> Description:
-        """Return the text without some topics, which many questions leave out."""
+        """Return the text without some topics, cached because many questions omit the same ones."""
         if topics not in self._texts:
             self._texts[topics] = self.description.leaving_out(topics)
         return self._texts[topics]
 
     def _wants(self, query: Query) -> bool:
-        """Return whether a quantity that may be asked about is asked about."""
+        """Return whether a query concerns an allowed quantity."""
         return KINDS[query.kind].measured(query).name in self._quantities
 
     @cached_property
     def _changing(self) -> bool:
-        """Return whether accelerations change other than at events."""
+        """Return whether accelerations also change between events."""
         return bool(changing(self.study.mechanism))
 
     def _suits(self, query: Query, unknown: str, stated: StatedResult | None) -> bool:
-        """Return whether a solution needs what it may.
+        """Return whether a solution of the query has only allowed needs.
 
-        Where no strategy has a way to a query, none has one to a number of the text that its answer fixes.
+        If no strategy applies to a query, none applies to an unknown number that its answer determines.
         """
         if self._needs == EVERY or not (unknown or self._changing or Need.ARITHMETIC not in self._needs):
             return True  # nearly all about constant accelerations is elementary, and the filter looks at it
@@ -281,7 +281,7 @@ class QuestionSearch:
     def _questions(
         self, mode: QuestionMode, kind: str, rng: np.random.Generator, refused: Counter[str], tries: int
     ) -> Iterator[Question]:
-        """Yield some questions that differ; fewer if the motion offers no more."""
+        """Yield distinct random questions; fewer if the motion offers no more."""
         asked, missed = set[tuple[Query, str]](), 0
         if kind and not may_have_solution(kind, self.study, max(self._needs)):
             return

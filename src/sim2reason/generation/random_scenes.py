@@ -1,4 +1,4 @@
-"""Random scenes by their coordinates, before any question is asked or any filter looks at them."""
+"""Random scenes by recipe, difficulty, seed and index, before questions and filters."""
 
 import hashlib
 import json
@@ -13,13 +13,13 @@ TRIES = 50
 
 
 def generator(*key: object) -> np.random.Generator:
-    """Return a random generator that shares nothing with that of any other key: the key is hashed, never added up."""
+    """Return a random generator seeded by the hash of a key, independent of that of any other key."""
     digest = hashlib.sha256(json.dumps(["sim2reason", *key]).encode()).digest()
     return np.random.default_rng(int.from_bytes(digest, "big"))
 
 
 def sample(recipe: str, difficulty: str = "medium", *, seed: int = 0, index: int = 0) -> Scene:
-    """Return the `index`-th scene of a recipe, difficulty and seed; what does not fit together is drawn again.
+    """Draw the `index`-th scene of a recipe, difficulty and seed; invalid draws are repeated.
 
     Raises:
         UnknownNameError: no such recipe or difficulty.

@@ -1,4 +1,4 @@
-"""Request for one item, the result of a maker, and the weights of kinds of question."""
+"""Requests for items, the results of makers, and the weights of question kinds."""
 
 import hashlib
 import json
@@ -38,7 +38,7 @@ _ID = re.compile(
 
 
 def whole(name: str, value: object) -> int:
-    """Return a coordinate: a whole number from 0 on, but not True or False; DrawError names it."""
+    """Return a nonnegative integer coordinate (not a boolean); DrawError, with its name, otherwise."""
     try:
         found = as_index(cast("SupportsIndex", value)) if not isinstance(value, bool) else -1
     except TypeError:
@@ -50,7 +50,7 @@ def whole(name: str, value: object) -> int:
 
 @dataclass(frozen=True, slots=True)
 class Request:
-    """An order for one item: the `index`-th of its recipe, difficulty, mode and seed."""
+    """A request for one item: recipe, difficulty, mode, seed and index, with settings."""
 
     recipe: str
     difficulty: str
@@ -72,7 +72,7 @@ class Request:
     """What solutions may need, by label; none: elementary means, and for few items more."""
 
     def __post_init__(self) -> None:
-        """DrawError for what no item has; whole numbers of other packages become Python's."""
+        """Convert foreign integers to Python's; DrawError for invalid values."""
         if fault := out_of_range(self.tolerance):
             raise DrawError(f"tolerance: {fault}")
         for name in ("seed", "index"):
@@ -80,7 +80,7 @@ class Request:
 
     @property
     def id(self) -> str:
-        """A name that no other request has."""
+        """Return the unique name of the request."""
         name = f"{self.recipe}-{self.difficulty}-{self.mode}-{self.seed}-{self.index}"
         tail = f"-{self.units}" if self.units != SI else ""
         tail += f"-{UNFILTERED}" if self.unfiltered else ""
@@ -91,7 +91,7 @@ class Request:
 
     @classmethod
     def named(cls, name: str, weights: Weights = (), tolerance: float = TOLERANCE, needs: tuple[str, ...] = ()) -> Self:
-        """Return the request of an id, made with these weights, tolerance and needs; DrawError for any other text."""
+        """Return the request of an id, with these weights, tolerance and needs; DrawError for an invalid id."""
         match = _ID.fullmatch(name)
         if match is None:
             raise DrawError(f"{name!r} is no id; one looks like pulley-easy-numeric-0-4")
@@ -115,7 +115,7 @@ class Request:
 
     @classmethod
     def of(cls, item: Item) -> Self:
-        """Return the request that an item answers; DrawError for an item without a recipe or of chosen quantities."""
+        """Return the request that produced an item; DrawError for items without a recipe or with chosen quantities."""
         if not item.recipe:
             raise DrawError(f"{item.id}: it is asked about a scene; give that with a question instead of the item")
         solved = item.solution is not None or bool(item.unsolved)
@@ -124,7 +124,7 @@ class Request:
 
 
 def _digest(chosen: tuple[tuple[str | float, ...] | str, ...]) -> str:
-    """Return a short name for what an order says beside its coordinates."""
+    """Return a short hash of the settings of a request beyond its coordinates."""
     return hashlib.sha256(json.dumps(chosen).encode()).hexdigest()[:8]
 
 
@@ -134,11 +134,11 @@ SHAPING = "sim2reason", "mujoco", "numpy", "pyarrow", "pydantic", "sympy"
 
 @dataclass(frozen=True, slots=True)
 class Made:
-    """What a maker gives back.
+    """The result of a maker for one request.
 
-    `item` is None if no draw passed within the maker's budget, which is counted in steps, never in seconds.
-    `rejected` counts the draws that were refused on the way, by filter or reason. `wanted` is the kind of question that
-    was tried first, by the weights, among those that the scenes offer; empty for none.
+    `item` is None if no draw passed within the maker's budget, which is counted in steps, never in seconds. `rejected`
+    counts the rejected draws by filter or reason. `wanted` is the question kind that was tried first by the weights,
+    among those that the scenes offer; empty for none.
     """
 
     item: Item | None
@@ -151,7 +151,7 @@ Maker = Callable[[Request], Made]
 
 @cache
 def versions() -> dict[str, str]:
-    """Return all that may change the bytes beside the configuration: packages, Python and platform."""
+    """Return the versions of all packages and platforms that may change the bytes of an item."""
     found = {"python": platform.python_version(), "platform": f"{sys.platform}-{platform.machine()}"}
     for package in SHAPING:
         found[package] = version(package)
@@ -159,7 +159,7 @@ def versions() -> dict[str, str]:
 
 
 def load_maker(path: str) -> Maker:
-    """Import a maker from ``package.module:function``; DatasetError if there is none."""
+    """Import a maker from ``package.module:function``; DatasetError if it does not exist."""
     module, _, name = path.partition(":")
     try:
         return cast("Maker", getattr(import_module(module), name))
@@ -171,7 +171,7 @@ REMEDY = "write KIND, MODE.KIND, RECIPE.KIND or RECIPE.MODE.KIND, as in reverse.
 
 
 def weight(kind: str, mode: str, recipe: str, ordered: Mapping[str, float]) -> float:
-    """Return how often a kind is asked, compared with others: as ordered, else as its class and the recipe declare."""
+    """Return the relative frequency of a kind: as requested, else as its class and the recipe declare."""
     for name in (f"{recipe}.{mode}.{kind}", f"{recipe}.{kind}", f"{mode}.{kind}", kind):
         if name in ordered:
             return ordered[name]
@@ -181,9 +181,9 @@ def weight(kind: str, mode: str, recipe: str, ordered: Mapping[str, float]) -> f
 
 
 def in_drawn_order(mode: str, recipe: str, ordered: Weights, rng: np.random.Generator) -> list[str]:
-    """Return all kinds of a mode but those of weight 0, each the next one by its weight among those that are left.
+    """Return all kinds of a mode with positive weight, in a random order by weight.
 
-    Where the first one that can be had is taken, each is by its weight among those that can be had.
+    If the first available kind is used, the available kinds occur in proportion to their weights.
     """
     given = dict(ordered)
     found = {kind: weight(kind, mode, recipe, given) for kind in _kinds(mode)}
@@ -194,7 +194,7 @@ def in_drawn_order(mode: str, recipe: str, ordered: Weights, rng: np.random.Gene
 
 
 def check(weights: Mapping[str, float], modes: tuple[str, ...], recipes: tuple[str, ...]) -> None:
-    """DatasetError for a weight that is none, a name that means nothing, and where no kind is left to be asked."""
+    """Raise DatasetError for an invalid weight or name, or if no kind remains."""
     for name, size in weights.items():
         if not (isfinite(size) and size >= 0.0):
             raise _error(name, f"{size} is no weight", "give a number that is not negative; 0 is never asked")

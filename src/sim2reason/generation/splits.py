@@ -1,4 +1,4 @@
-"""Assignment of items to splits by fingerprints of their problems without numbers."""
+"""Assignment of items to splits by fingerprints of their problems, which ignore numbers."""
 
 import json
 import re
@@ -13,20 +13,20 @@ from sim2reason.generation.item import Item, QueryRecord
 from sim2reason.grading.evaluate import CompiledFormula, compiled
 from sim2reason.scenes.dsl.units import Dimension, parse_unit
 
-POINTS = 6  # at which formulas are looked at; some have no value at most points, as where a square root is imaginary
-PAIRED = 3  # of them at which pairs of symbols are moved, too
+POINTS = 6  # at which formulas are evaluated; some have no value at most points because of square roots
+PAIRED = 3  # of them at which pairs of symbols are also changed
 RANGE = 0.2, 5.0  # of values in coherent units
 ANGLES = 0.1 * pi, 0.45 * pi  # rad
-STEPS = 1.3717, 1.7331  # factors by which the first and the second symbol of a pair are moved
-DIGITS = 6  # of a value relative to the largest: far more than rounding takes, so that a boundary is seldom met
-FEWEST = 4  # values other than zero by which a formula can be told from others
+STEPS = 1.3717, 1.7331  # factors on the first and the second symbol of a pair
+DIGITS = 6  # of a value relative to the largest, far coarser than rounding errors
+FEWEST = 4  # nonzero values from which a formula's fingerprint is distinctive
 
 Values = Mapping[tuple[int, ...], float | None]
 """The values at one point, by the places of the symbols that are moved; None where there is none."""
 
 
 class _Rounded(NamedTuple):
-    """The values at one point as whole multiples of a share of the largest, and the logarithm of the largest."""
+    """The values at one point as multiples of a fraction of the largest, and the logarithm of the largest."""
 
     multiples: Mapping[tuple[int, ...], int | None]
     size: float
@@ -34,9 +34,9 @@ class _Rounded(NamedTuple):
 
 @lru_cache(maxsize=2048)
 def fingerprint(latex: str, symbols: tuple[str, ...], units: tuple[str, ...]) -> str:
-    """Return the fingerprint of a formula whose symbols have numbers in some coherent units.
+    """Return a fingerprint of a formula, independent of the names of its symbols and of arrangement.
 
-    The text itself where it has too few values to be told from others, or can't be read.
+    The text of the formula itself if it has too few values to be distinctive, or cannot be parsed.
     """
     try:
         formula = compiled(latex, symbols)
@@ -71,7 +71,7 @@ def _moved(base: Sequence[float], moved: tuple[int, ...]) -> Iterator[float]:
 
 
 def _rounded(values: Values) -> _Rounded | None:
-    """Return the values at a point without their size; None if there is none but zero."""
+    """Return the normalized values at a point; None if all are zero."""
     largest = max((abs(value) for value in values.values() if value is not None), default=0.0)
     if not largest:
         return None
@@ -80,7 +80,7 @@ def _rounded(values: Values) -> _Rounded | None:
 
 
 def _form(found: Sequence[_Rounded | None], roles: Sequence[Dimension], sign: int) -> object:
-    """Return the values times a sign, in an order that does not hang on the order or names of the symbols."""
+    """Return the values times a sign in a canonical order, independent of the order or names of symbols."""
     first = next(each.size for each in found if each)
     sizes = [each and round((each.size - first) * 10**DIGITS) for each in found]
 
@@ -101,11 +101,11 @@ _NUMBER = re.compile(r"(?<![\w.])[-−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
 
 
 def problem(item: Item) -> str:
-    """What is asked about what kind of scene, without any number: the same for all that a teacher would call variants.
+    """Return the problem of an item without numbers: equal for all its variants.
 
-    It depends on the scene's entities and how they are joined, and on what is asked of which of them; not on words, nor
-    on the order in which several parts are asked. A problem whose answer is a formula is that formula, up to a factor
-    and the names of its symbols, whatever the scene.
+    It depends on the scene's entities and connections, and on the queries with their subjects, but not on wording, nor
+    on the order of parts. A problem whose answer is a formula is identified by the formula, up to a factor and the
+    names of its symbols, whatever the scene.
     """
     formula = item.answer.formula
     if formula is not None and not item.parts:
@@ -115,14 +115,14 @@ def problem(item: Item) -> str:
 
 
 def question(kind: str, asked: QueryRecord) -> str:
-    """Return what is asked, without any number."""
+    """Return the query of a question as text without numbers."""
     event = without_numbers(asked.event or "")
     left_open = ", ".join(dict.fromkeys(filter(None, (asked.unknown, asked.limit_of))))
     return f"{kind}\n{asked.quantity}\n{asked.subject}\n{left_open}\n{event}"
 
 
 def split_of(item: Item, shares: Mapping[str, float]) -> str:
-    """The split of an item. Each holds its share of all problems up to numbers, and about its share of the items."""
+    """Return the split of an item; each split gets its share of all problems up to numbers."""
     names = list(shares)
     if len(names) == 1:
         return names[0]
@@ -133,10 +133,10 @@ def split_of(item: Item, shares: Mapping[str, float]) -> str:
 
 
 def numbers_in(text: str) -> list[float]:
-    """Return what `without_numbers` takes out of a text."""
+    """Return the numbers in a text."""
     return [float(found.replace("−", "-")) for found in _NUMBER.findall(text)]
 
 
 def without_numbers(text: str) -> str:
-    """Return the same text for all numbers."""
+    """Return a text with its numbers replaced by a placeholder."""
     return _NUMBER.sub("#", text)

@@ -1,4 +1,4 @@
-"""The reward: numbers, formulas, letters and answers of several parts, graded without ever running what they say."""
+"""Grading: numbers, formulas, choices and answers of several parts, without executing any text of the response."""
 
 from sim2reason.grading.choice import choice
 from sim2reason.grading.extract import opened

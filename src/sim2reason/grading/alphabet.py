@@ -1,4 +1,4 @@
-"""What commands and signs mean in an answer: the closed vocabulary of the tokenizer."""
+"""Vocabulary of the tokenizer: LaTeX commands and characters with their meanings."""
 
 import re
 from typing import Final
@@ -124,7 +124,7 @@ _LAID_OUT: Final = """
     mathstrut strut centering nonumber notag middle allowbreak
 """
 SWITCHES: Final = tuple(_FONT.split())  # of the font, up to the next brace
-SPACES: Final = tuple(_PASSED.split())  # what the tokenizer passes over
+SPACES: Final = tuple(_PASSED.split())  # commands that the tokenizer skips
 LAYOUT: Final = (*_LAID_OUT.split(), *(name for name in SWITCHES if name not in SPACES))  # rarer: taken out before
 HEDGES: Final = frozenset({"or", "either", "versus", "vs"})
 SOFT_HEDGES: Final = frozenset({"and", "to", "between", "through"})  # a list between numbers, harmless in words
@@ -139,11 +139,11 @@ CLOSES: Final = {"(": ")", "[": "]", "{": "}"}
 
 
 def is_angle(name: str) -> bool:
-    """Return whether a symbol of this name, in its one spelling, is that of an angle."""
+    """Return whether a symbol, in canonical spelling, denotes an angle."""
     return name.partition("_")[0] in ANGLES
 
 
 def either(kind: str, text: str = "") -> str:
-    """Return a pattern for the names of the commands of one kind, or of those that also mean one thing."""
+    """Return a regular expression for the commands of one kind, or only those with the meaning `text`."""
     names = (name for name, (is_of, means) in COMMANDS.items() if is_of.split()[0] == kind and text in {"", means})
     return "|".join(re.escape(name) for name in sorted(names, key=len, reverse=True))

@@ -1,4 +1,4 @@
-"""Functions of the bindings, made of floats: an undefined or infinite step makes the whole value undefined."""
+"""Floating-point expressions as functions of symbol values; undefined or infinite steps make the value undefined."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
@@ -86,27 +86,27 @@ def value(node: Node, bindings: Mapping[str, float]) -> float | None:
 
 
 def constant(x: float) -> Node:
-    """Return a number; an infinite one is undefined wherever it is used."""
+    """Return a constant node; an infinite constant makes every result undefined."""
     return (lambda _: x) if isfinite(x) else (lambda _: _finite(x))
 
 
 def symbol(name: str) -> Node:
-    """Return what the bindings give for `name`."""
+    """Return a node with the value of a symbol."""
     return lambda bindings: bindings[name]
 
 
 def negated(node: Node) -> Node:
-    """Minus `node`."""
+    """Return a node for minus `node`."""
     return lambda bindings: -node(bindings)
 
 
 def degrees(node: Node) -> Node:
-    """Return an angle given in degrees, in radians."""
+    """Return a node that converts an angle from degrees to radians."""
     return lambda bindings: math.radians(node(bindings))
 
 
 def total(terms: Sequence[tuple[Node, bool]]) -> Node:
-    """Return the sum of `terms`, each with whether it is taken away; flat, so that a long sum is no deep recursion."""
+    """Return the sum of `terms` (node, whether it is subtracted), evaluated without recursion."""
     if len(terms) == 1:
         return negated(terms[0][0]) if terms[0][1] else terms[0][0]
 
@@ -120,7 +120,7 @@ def total(terms: Sequence[tuple[Node, bool]]) -> Node:
 
 
 def product(factors: Sequence[tuple[Node, bool]]) -> Node:
-    """Return the product of `factors` from left to right, each with whether it divides."""
+    """Return the product of `factors` (node, whether it divides), from left to right."""
     if len(factors) == 1 and not factors[0][1]:
         return factors[0][0]
 
@@ -134,7 +134,7 @@ def product(factors: Sequence[tuple[Node, bool]]) -> Node:
 
 
 def power(base: Node, exponent: Node) -> Node:
-    """Real powers only: a negative base with a broken exponent is undefined."""
+    """Return a real power; a negative base with a fractional exponent is undefined."""
 
     def evaluate(bindings: Mapping[str, float]) -> float:
         result = math.pow(base(bindings), exponent(bindings))
@@ -144,7 +144,7 @@ def power(base: Node, exponent: Node) -> Node:
 
 
 def root(radicand: Node, index: Node) -> Node:
-    """Return the real root, that of a negative number too where the index is odd."""
+    """Return the real root, also of a negative number if the index is odd."""
 
     def evaluate(bindings: Mapping[str, float]) -> float:
         x, n = radicand(bindings), index(bindings)
@@ -155,7 +155,7 @@ def root(radicand: Node, index: Node) -> Node:
 
 
 def call(name: str, argument: Node) -> Node:
-    """Return an elementary function of `argument`."""
+    """Return an elementary function, by name, of `argument`."""
     function = _FUNCTIONS.get(_ALIASES.get(name, name))
     if function is None:
         raise Refused(Outcome.UNREADABLE, f"{name!r} is no function that is known here")
@@ -168,5 +168,5 @@ def call(name: str, argument: Node) -> Node:
 
 
 def inverse(name: str) -> str:
-    r"""Return the function that ``\name^{-1}`` means."""
+    r"""Return the name of the function that ``\name^{-1}`` denotes."""
     return _HYPERBOLIC.get(name, f"arc{name}")

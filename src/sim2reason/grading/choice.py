@@ -1,4 +1,4 @@
-"""Multiple choice: one letter in the box, or the number of one option."""
+"""Multiple choice: one letter in the box, or the value of one option."""
 
 import re
 from collections.abc import Sequence
@@ -17,7 +17,7 @@ _RUN: Final = re.compile(rf"\s*(\\(?:text|mathrm|textbf|mathbf)\s*\{{){_NAME}([^
 """A letter at the beginning of a text in a font."""
 _LED: Final = re.compile(rf"{_NAME}(?=\S)")
 """A letter with a bracket, a full stop or a colon, before more."""
-NEAR: Final = 0.01  # relative: how well a number must agree with an option that it repeats
+NEAR: Final = 0.01  # relative tolerance between a number and the option that it repeats
 
 
 def choice(
@@ -28,11 +28,11 @@ def choice(
     unit: str | None = None,
     texts: Sequence[str] = (),
 ) -> Score:
-    """Grade a boxed letter against the right one, of all the `letters` that there are; small ones pass for capitals.
+    """Grade a boxed letter against the correct one, where `letters` are those of all options; case is ignored.
 
-    Where the `values` of the options are known, in `unit`, the letter may be followed by the number of its option, and
-    that number alone stands for the letter. So does the text of an option, word for word, where `texts` are known.
-    Anything else beside the letter, such as a second one or the number of another option, makes it unreadable.
+    If the `values` of the options are known, in `unit`, the letter may be followed by the value of its option, and the
+    value alone counts as the letter. The exact text of an option counts too if `texts` are known. Anything else beside
+    the letter, such as a second letter or the value of another option, makes it unreadable.
     """
     try:
         content = boxed(response)
@@ -50,7 +50,7 @@ def choice(
 
 
 def _with_value(content: str, letters: str, values: Sequence[float], unit: str | None) -> str:
-    """Return the letter of the option whose number an answer gives; empty where a letter before it is another one's."""
+    """Return the letter of the option whose value an answer gives; empty if a different letter precedes it."""
     named, rest = _led(content)
     rest = rf"\boxed{{{rest}}}"
     pairs = zip(letters, values, strict=True)

@@ -41,7 +41,7 @@ _NO_MEANING: Final = frozenset(_UNFIT.split())
 def vector_as_direction(content: str) -> str:
     r"""Rewrite the unit vector in ``2.4\,\hat{i}\text{ m/s}`` as a direction at the end; leave other vectors unchanged.
 
-    A vector that is not alone, or is followed by more than a unit, stays and is not read as a number.
+    Other vectors, and vectors followed by more than a unit, remain and make the number unreadable.
     """
     found = list(_VECTOR.finditer(content))
     if len(found) != 1:
@@ -56,7 +56,7 @@ def vector_as_direction(content: str) -> str:
 def vectors_as_components(content: str) -> str:
     r"""Replace vectors along one line by their components: ``m(\vec{g}+\vec{a})`` becomes m(g + a).
 
-    Vectors with bars, products by a sign or powers stay; the answer is then refused unless it is a name.
+    Vectors with bars, in products with a sign, or in powers remain; such an answer is refused unless it is a name.
     """
     if r"\vec" not in content and r"\overrightarrow" not in content:
         return content
@@ -68,7 +68,7 @@ def vectors_as_components(content: str) -> str:
 def without_meanings(content: str) -> str:
     """Remove a clause that only defines symbols of an answer, such as *where v is the speed of A*.
 
-    A clause with a number, a relation or a word that could change the value stays, and is refused as such.
+    A clause with a number, a relation or a word that could change the value remains, and the answer is refused.
     """
     if "where" not in content:
         return content

@@ -1,4 +1,4 @@
-"""A value in several units, as people measure: *1 m 20 cm*, *1 h 5 min 20 s*, 26°30′; each smaller than the last."""
+"""Values in several units, such as *1 m 20 cm*, *1 h 5 min 20 s* or 26°30′, in decreasing order."""
 
 import re
 from typing import Final
@@ -23,9 +23,9 @@ _ARC: Final = re.compile(
 
 
 def smaller_part(whole: str, tail: str, asked: Unit | None) -> tuple[Unit, float] | None:
-    """Return the first unit of a value in several units, as 1 h 5 min, and the fraction that the other units add.
+    """Return the first unit of a value in several units, such as 1 h 5 min, and the fraction that the others add.
 
-    None if there is no such value, or the same number stands twice, which offers two units to choose from.
+    None if there is no such value, or if the same number occurs with two units, which is ambiguous.
     """
     if not whole.isdecimal():
         return None

@@ -1,4 +1,4 @@
-r"""Formulas of ours as functions of their symbols, by the parser that reads what models say."""
+r"""Reference formulas as functions of their symbols, read by the parser of responses."""
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ __all__ = ["CompiledFormula", "compiled"]
 
 @dataclass(frozen=True, slots=True)
 class CompiledFormula:
-    """A formula that was read once, to be evaluated often."""
+    """A parsed formula, for repeated evaluation."""
 
     symbols: tuple[str, ...]
     """Those of its table that stand in it, as the table spells them."""
@@ -24,12 +24,12 @@ class CompiledFormula:
     _node: Node
 
     def value(self, point: Mapping[str, float]) -> float | None:
-        """Return its value at `point`, which has all of `symbols`; None where it is not a finite real number."""
+        """Return the value at `point`, which binds all `symbols`; None if it is not a finite real number."""
         return arithmetic.value(self._node, {self._names[name]: point[name] for name in self.symbols})
 
 
 def compiled(latex: str, symbols: Collection[str]) -> CompiledFormula:
-    r"""Read a formula whose table of symbols is `symbols`, in any spelling (``\mu_k``, ``mu_k``).
+    r"""Parse a formula in the given `symbols`, in any spelling (``\mu_k``, ``mu_k``).
 
     Raises:
         ValueError: it is no formula in these symbols.

@@ -1,4 +1,4 @@
-"""Extraction of the answer from a response: removal of the thinking, and the last complete box after it."""
+"""Extraction of the answer from a response: the last complete box after the thinking."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -10,8 +10,8 @@ from sim2reason.grading.score import Outcome, Refused
 __all__ = ["MAX_ANSWER", "OPENING", "boxed", "closed_boxes", "opened", "spoken", "text_of", "without_thinking"]
 
 OPENING: Final = "<think>"
-MOST: Final = 20_000  # of the signs "<" that are looked at, so that no text takes long
-FEW: Final = 8  # marks that a text may speak of
+MOST: Final = 20_000  # signs "<" that are examined, which bounds the time
+FEW: Final = 8  # opening marks that a text may quote
 _WORDS: Final = "think|thinking|thoughts?|reason|reasoning|reflection|scratchpad|analysis"
 _TAG: Final = rf"(?:[a-z]{{1,12}}[:_])?(?:{_WORDS})\s{{0,8}}>"
 _CHANNEL: Final = r"<\|channel\|>\s{0,8}"
@@ -41,10 +41,10 @@ _BEGINNING: Final = re.compile(
 
 
 def without_thinking(text: str) -> str:
-    """Return the text after the last closing mark of thinking.
+    """Return the text after the last closing mark of the thinking.
 
-    Raises `Refused`: no answer where thinking is open at the end. A mark that is only quoted, within a line and with no
-    box after it, opens no thinking.
+    Raises `Refused` (no answer) if the thinking is unfinished. An opening mark that is only quoted, within a line and
+    without a later box, does not count.
     """
     begins = _BEGINNING.match(text) is not None
     if not begins and "<" not in text and not any(mark in text for pair in _PLAIN for mark in pair if mark):
@@ -61,7 +61,7 @@ def without_thinking(text: str) -> str:
 
 
 def _angled(text: str) -> tuple[int, list[int], list[int]]:
-    """Return the end of the last closing mark with "<", or 0, and the places of opening tags and tokens after it."""
+    """Return the end of the last closing mark with "<", or 0, and the positions of opening tags and tokens after it."""
     tags, tokens = list[int](), list[int]()
     at = len(text)
     for _ in range(MOST):
@@ -86,18 +86,18 @@ def _spoken_of(text: str, end: int, marks: list[int]) -> bool:
 
 MAX_RESPONSE: Final = 1_000_000
 MAX_ANSWER: Final = 1_000
-WINDOW: Final = 32_768  # of text after the thinking, in which the box must stand
+WINDOW: Final = 32_768  # characters after the thinking in which the box must occur
 
-BLANK: Final = " \t\r\n\ufeff"  # what an empty box holds
-NESTED: Final = 6  # a list of messages, whose content is a list of parts with a text
+BLANK: Final = " \t\r\n\ufeff"  # characters of an empty box
+NESTED: Final = 6  # levels of lists of messages and their content parts
 
 _BRACE: Final = re.compile(r"\\boxed[ \t\n]{0,8}\{|\\[\\{}]|[{}]")
 
 
 def text_of(given: object) -> str:
-    """Return the text of a response: itself, or that of the last of several messages; bytes as UTF-8.
+    """Return the text of a response: the string, or the last of several messages; bytes are decoded as UTF-8.
 
-    Raises `Refused`: no answer, where it holds no text.
+    Raises `Refused` (no answer) if there is no text.
     """
     response = given
     for _ in range(NESTED):
@@ -126,7 +126,7 @@ def opened(given: object) -> object:
 
 
 def spoken(given: object) -> str:
-    """Return what was said after the thinking; refused if the thinking never ended."""
+    """Return the text of a response after the thinking; Refused if the thinking never ends."""
     response = text_of(given)
     if len(response) > MAX_RESPONSE:
         raise Refused(Outcome.TOO_LONG, f"the response has more than {MAX_RESPONSE} characters")
@@ -136,8 +136,8 @@ def spoken(given: object) -> str:
 def boxed(response: object) -> str:
     """Return the content of the last complete, non-empty box; of nested boxes, that of the outermost.
 
-    Raises `Refused`: no answer without such a box, too long beyond 1000 characters, unreadable where print hides the
-    box or words beside it deny it.
+    Raises `Refused`: no answer without such a box, too long beyond 1000 characters, unreadable if the box is invisible
+    or denied by words beside it.
     """
     text = spoken(response)
     boxes = closed_boxes(text)
@@ -154,7 +154,7 @@ def boxed(response: object) -> str:
 
 
 def content(text: str, box: tuple[int, int]) -> str:
-    """Return the content of a box from its start to its end, without blanks around it."""
+    """Return the content of a box between two indices, without surrounding blanks."""
     return text[slice(*box)].lstrip(BLANK).rstrip("\ufeff")  # a backslash may need the space behind it
 
 

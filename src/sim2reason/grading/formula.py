@@ -1,8 +1,8 @@
-"""Formulas: equal to the reference in value, wherever the symbols are set.
+"""Grading of formulas: a response is correct if its values equal those of the reference.
 
-A response is evaluated where all symbols are moved at once, at values that it cannot foresee: at the item's bindings,
-and, if those are few, at others drawn by `points` from a hash of the reference. Any equivalent form passes, no number
-and no approximation does.
+Response and reference are evaluated at unpredictable values of all symbols: at the item's bindings and, if these are
+few, at points drawn by `points` from a hash of the reference. Every equivalent form is accepted, numbers and
+approximations are not.
 """
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
@@ -27,14 +27,14 @@ from sim2reason.scenes.dsl.units import UnitError
 
 __all__ = ["FormulaError", "formula"]
 
-AGREE: Final = 0.02  # relative: how far what is said to be about a formula may be from it
+AGREE: Final = 0.02  # relative tolerance between a formula and the approximations of it in the same answer
 
 _Frozen = tuple[tuple[str, float], ...]
 _Ranged = tuple[tuple[str, tuple[float, float]], ...]
 
 
 class FormulaError(ValueError):
-    """A reference, or bindings for it, that nothing could be graded against."""
+    """An error for a reference or bindings with which no response can be graded."""
 
 
 def formula(
@@ -91,9 +91,9 @@ def formula(
 
 @dataclass(frozen=True, slots=True)
 class _Truth:
-    """A reference: its table of symbols, and its values at the points where responses are tried.
+    """A reference with its table of symbols and its values at the test points.
 
-    At the first `firm` of them a response must have a value.
+    A response must be defined at the first `firm` of them.
     """
 
     table: frozenset[str]
@@ -149,7 +149,7 @@ def _kept(
 
 
 def _value_of(content: str, tokens: Sequence[Token]) -> tuple[Node, tuple[Direction, ...]]:
-    """Return the value that `tokens` spell, and the directions behind it; a unit in upright text is ignored."""
+    """Return the node that `tokens` spell, and the directions after it; a unit in upright text is ignored."""
     node, taken, refusal = parse(tokens, unit_follows=False)
     if taken == len(tokens):
         return node, ()
@@ -199,7 +199,7 @@ def _judge(content: str, truth: _Truth, tolerance: float, positive: str) -> Scor
 def _pairs(
     truth: _Truth, node: Node, wanted: Sequence[float | None]
 ) -> Iterator[tuple[Bindings, float | None, float | None]]:
-    """Each point, with the value of `node` and the wanted one; behind the firm points, only where there are both."""
+    """Yield each point with the value of `node` and the reference; after the firm points, only where both exist."""
     for count, (point, other) in enumerate(zip(truth.points, wanted, strict=True)):
         found = arithmetic.value(node, point)
         if count < truth.firm or (found is not None and other is not None):
@@ -207,7 +207,7 @@ def _pairs(
 
 
 def _checked(content: str, stated: Statement, node: Node, truth: _Truth, tolerance: float) -> Node | None:
-    """Return the side before the value, if it is one; `Refused` where a side is another formula of the table."""
+    """Return the node of the side before the value, if it is a value; Refused if it is a different formula."""
     last: Node | None = None
     if not stated.before and not stated.others:
         return None
@@ -227,7 +227,7 @@ def _checked(content: str, stated: Statement, node: Node, truth: _Truth, toleran
 
 
 def _differ(node: Node, wanted: Sequence[float | None], truth: _Truth, tolerance: float) -> bool:
-    """Return whether a formula is apart from what is wanted at a point, by more than rounding explains."""
+    """Return whether a formula differs from the reference at some point by more than rounding errors."""
     return any(
         mine is None or yours is None or abs(mine - yours) > max(AGREE, tolerance) * max(abs(mine), abs(yours))
         for _, mine, yours in _pairs(truth, node, wanted)
@@ -235,7 +235,7 @@ def _differ(node: Node, wanted: Sequence[float | None], truth: _Truth, tolerance
 
 
 def _whole(side: Sequence[Token]) -> Node | None:
-    """Return the value of a side; None where it has something that is not in the table."""
+    """Return the node of a complete side; None if it contains symbols outside the table."""
     try:
         node, taken, _ = parse(side, unit_follows=False)
     except Refused:

@@ -1,7 +1,7 @@
-"""Units that answers may be in beside those of our table: imperial ones, and a few others that textbooks still use.
+"""Units accepted in answers beside those of the library's table: imperial and outdated ones.
 
-Problems, scenes and exports never have them. A pound is a mass, and a pound of force is ``lbf``; an ``in`` is the
-preposition, and an inch is spelled out.
+Problems, scenes and exports never contain them. A pound is a mass, and a pound of force is ``lbf``; ``in`` is read as
+the preposition, so inches are spelled out.
 """
 
 from typing import Final

@@ -1,7 +1,7 @@
 r"""Boxes that do not count as answers: boxes invisible when typeset, and boxes that the text denies.
 
-A box is hidden by a command around it (``\phantom``, ``\cancel``), by white ink, in a comment of LaTeX or HTML, or in
-an element that is not shown; it is denied by *not* before it or *is wrong* behind it.
+A box is invisible inside a command such as ``\phantom`` or ``\cancel``, in white ink, in a comment of LaTeX or HTML,
+or in a hidden element; it is denied by *not* before it or *is wrong* after it.
 """
 
 import re
@@ -28,8 +28,8 @@ _ELEMENT: Final = re.compile(
     rf"<(?P<name>s|del|strike|script|style|template|noscript|[a-z][a-z0-9]*(?=[^<>]{{0,400}}(?:{_STYLE})))(?:\s[^<>]{{0,400}})?>",
     re.IGNORECASE,
 )
-SHORT: Final = 6  # characters behind a box that deny nothing
-_NEAR: Final = 4000  # characters before a box in which what hides it begins
+SHORT: Final = 6  # characters after a box that are too few to deny it
+_NEAR: Final = 4000  # characters before a box that are searched for the start of a hiding command
 _DENYING: Final = re.compile(r"no|nev|nei|n['’]t|wit|exc|unl|rath|inst|wron|inco|fals")
 """A part of every word that denies, which is found at once."""
 _DENIED_BEFORE: Final = re.compile(
@@ -50,7 +50,7 @@ _DENIED_BEHIND: Final = re.compile(
 
 
 def fault_of_box(text: str, begin: int, end: int) -> str:
-    """Return why a box with its content from `begin` to `end` does not count as an answer; empty if it counts."""
+    """Return the reason why a box with its content from `begin` to `end` does not count; empty if it counts."""
     start = text.rfind("\\", 0, begin)
     before, behind = text[max(start - _NEAR, 0) : start], text[end : end + 80]
     near = before[-60:].lower()

@@ -1,4 +1,4 @@
-"""What may stand on the left of a value: names of quantities in symbols or words, and expressions of them."""
+"""Left sides of an answer: names of quantities in symbols or words, and expressions of them."""
 
 from collections.abc import Sequence
 from typing import Final
@@ -71,7 +71,7 @@ def _unreadable(why: str) -> Refused:
 
 
 def _textual(token: Token) -> bool:
-    """Return whether it is a word of English: not a symbol, nor letters side by side, nor an abbreviation."""
+    """Return whether a token is an English word: not a symbol, adjacent letters or an abbreviation."""
     if token.kind == "soft":
         return token.text.isalpha()
     word = token.text
@@ -83,9 +83,9 @@ def _textual(token: Token) -> bool:
 
 
 def names(side: Sequence[Token]) -> list[tuple[str, str]]:
-    """Return the symbols on a side, each with what stands below it.
+    """Return the symbols on a side, each with its subscript.
 
-    A sign of change is a name only where it stands alone, and so is the number e.
+    A sign of change is a name only if it is alone, and so is the number e.
     """
     found = [token for token in side if token.kind in _NAMES and not _textual(token)]
     rest = [token for token in found if token.text not in _CHANGES] or found
@@ -95,12 +95,12 @@ def names(side: Sequence[Token]) -> list[tuple[str, str]]:
 
 
 def is_change(token: Token) -> bool:
-    """Return whether it is a sign of change, which names nothing by itself."""
+    """Return whether a token is a sign of change, such as Δ, which alone names nothing."""
     return token.text in _CHANGES
 
 
 def _letters(token: Token) -> list[tuple[str, str]]:
-    """Return a run such as ``mgh`` is three names."""
+    """Return the symbols in a token; a run such as ``mgh`` gives three."""
     run = token.text
     if token.kind == "word" and 1 < len(run) <= _LONGEST and run.isascii() and run.islower() and run not in GREEK_NAMES:
         return [*((letter, "") for letter in run[:-1]), (run[-1], token.label)]
@@ -112,12 +112,12 @@ def _is_lone_constant(side: Sequence[Token]) -> bool:
 
 
 def has_numbers(side: Sequence[Token]) -> bool:
-    """Return whether a number stands on a side."""
+    """Return whether a side contains a number."""
     return any(token.kind in _NUMBERS for token in side) and not _is_lone_constant(side)
 
 
 def _words(side: Sequence[Token]) -> list[Token]:
-    """Return the words of English on a side, but for what is raised: *max* in an exponent is a mark."""
+    """Return the English words on a side, except in exponents, where *max* is a mark."""
     found: list[Token] = []
     depth, raised = 0, False
     for token, before in zip(side, [None, *side], strict=False):
@@ -133,7 +133,7 @@ def _words(side: Sequence[Token]) -> list[Token]:
 
 
 def is_bare(side: Sequence[Token]) -> bool:
-    """Whether a side is one name, with marks, bars and what it depends on: ``|v_A'|``, ``v(2)``, *speed of A*."""
+    """Return whether a side is one name with marks, bars and arguments: ``|v_A'|``, ``v(2)``, *speed of A*."""
     if _is_letter(side):
         return True
     if words := _words(side):
@@ -151,7 +151,7 @@ def _is_letter(side: Sequence[Token]) -> bool:
 
 
 def _outside(side: Sequence[Token]) -> list[Token]:
-    """Return the tokens that stand in no parentheses; braces do not count."""
+    """Return the tokens outside parentheses; braces do not count."""
     depth, outside = 0, list[Token]()
     for token in side:
         depth += (token.kind == "open" and token.text in "([") - (token.kind == "close" and token.text in ")]")
@@ -161,7 +161,7 @@ def _outside(side: Sequence[Token]) -> list[Token]:
 
 
 def _is_power(side: Sequence[Token]) -> bool:
-    """Return whether something is raised to a number, not just marked as in ``t^*``."""
+    """Return whether a side contains a power with a number, not only a mark as in ``t^*``."""
     for position, token in enumerate(side):
         raised = [later.kind for later in side[position + 1 : position + 4] if later.text != "{"]
         if token.kind == "script" or (token.kind == "power" and raised[:1] in (["number"], ["minus"])):
@@ -184,7 +184,7 @@ def _names_quantity(words: Sequence[Token]) -> bool:
 
 
 def _names_object(side: Sequence[Token], words: Sequence[Token]) -> bool:
-    """Return whether a side names nothing but an object, which has what is asked: *Block A*."""
+    """Return whether a side names only an object, whose quantity the question asks for: *Block A*."""
     lowered = [word.text.lower() for word in words]
     others = [token for token in side if token not in words]
     plain = all(token.kind in _NAMES and len(token.text) == 1 for token in others) and len(others) <= 1
@@ -192,7 +192,7 @@ def _names_object(side: Sequence[Token], words: Sequence[Token]) -> bool:
 
 
 def _denial(words: Sequence[Token]) -> Token | None:
-    """Return the first word that keeps a side from being equal to what it names."""
+    """Return the first word that denies equality between a side and the quantity it names."""
     lowered = ["", *(word.text.lower() for word in words), ""]
     for at, word in enumerate(words, 1):
         before, name, after = lowered[at - 1 : at + 2]
@@ -212,14 +212,14 @@ def _denial(words: Sequence[Token]) -> Token | None:
 
 
 def _is_called(side: Sequence[Token], words: Sequence[Token]) -> bool:
-    """Return whether a side with numbers is a name in words all the same: *speed of block 1*."""
+    """Return whether a side with numbers is nevertheless a name in words: *speed of block 1*."""
     inside = [token for token in side if token.kind not in {"open", "close"}]
     called = inside[0] is words[0] and _names_quantity(words) and not _is_power(side)
     return called and all(token.kind not in _OPERATORS for token in inside)
 
 
 def check(sides: Sequence[Sequence[Token]]) -> None:
-    """Refuse sides whose words deny, or are no words for a quantity."""
+    """Raise Refused for sides with words that deny, or that name no quantity."""
     for side in sides:
         if _is_letter(side):
             continue
@@ -236,7 +236,7 @@ def check(sides: Sequence[Sequence[Token]]) -> None:
 
 
 def _is_call(side: Sequence[Token]) -> bool:
-    """Return whether a side is a name with what it depends on in parentheses, as in ``v(2 s)``."""
+    """Return whether a side is a name with its argument in parentheses, as in ``v(2 s)``."""
     return bool(side) and side[0].kind in _NAMES and is_bare(side)
 
 
@@ -258,13 +258,13 @@ def is_mixed_sum(side: Sequence[Token]) -> bool:
 
 
 def is_plain(side: Sequence[Token]) -> bool:
-    """Return whether a side begins with a number and has no operator: a value with its unit, if it can be read."""
+    """Return whether a side begins with a number and has no operator: a value with a possible unit."""
     first = 1 if len(side) > 1 and side[0].kind in _SIGNS else 0
     return side[first].kind == "number" and all(token.kind not in _OPERATORS for token in side[first + 1 :])
 
 
 def is_symbolic(side: Sequence[Token]) -> bool:
-    """Return whether a side has symbols and no words: what cannot be read there is no value."""
+    """Return whether a side has symbols and no words; if it does not parse, it is not a value."""
     return bool(names(side)) and not _words(side)
 
 

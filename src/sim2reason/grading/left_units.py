@@ -1,4 +1,4 @@
-r"""Units on the left of a value, as in headings of tables: ``\text{Speed (km/h): }9.8``, ``v\ [\text{m/s}] = 9.8``."""
+r"""Units to the left of a value, as in headings: ``\text{Speed (km/h): }9.8``, ``v\ [\text{m/s}] = 9.8``."""
 
 from collections.abc import Iterable, Sequence
 from typing import Final
@@ -13,12 +13,12 @@ from sim2reason.scenes.dsl.units import Unit, UnitError
 __all__ = ["unit_on_left"]
 
 _LABELS: Final = frozenset("ABC")  # of bodies and points, unless the asked unit says that they are units
-_BEHIND: Final = frozenset({"of", "for", "at", "on"})  # what may follow a unit in words: *speed in m/s of A*
+_BEHIND: Final = frozenset({"of", "for", "at", "on"})  # words that may follow a unit: *speed in m/s of A*
 _LONGEST: Final = 16  # tokens of a unit
 
 
 def unit_on_left(content: str, sides: Iterable[Sequence[Token]], asked: Unit | None) -> Unit | None:
-    """Return the unit that the sides before a bare value state for it; `Refused` (unreadable) where they state two."""
+    """Return the unit that the sides before a bare value state for it; Refused (unreadable) if they state two."""
     found: Unit | None = None
     for side in sides:
         for tokens in _candidates(content, side):
@@ -36,7 +36,7 @@ def unit_on_left(content: str, sides: Iterable[Sequence[Token]], asked: Unit | N
 
 
 def _candidates(content: str, side: Sequence[Token]) -> Iterable[Sequence[Token]]:
-    """Return what may be a unit: what stands in brackets, behind *in*, and in upright text behind a name."""
+    """Yield possible units: tokens in brackets, after *in*, and in upright text after a name."""
     named = False
     for at, token in enumerate(side):
         if token.kind == "open" and token.text in "([":
@@ -65,7 +65,7 @@ def _until_closed(side: Sequence[Token], start: int) -> Sequence[Token]:
 
 
 def _stands_apart(content: str, side: Sequence[Token], at: int) -> bool:
-    """Return whether a sign of a unit, or an upright word behind a space or a slash, stands here."""
+    """Return whether a sign of a unit, or an upright word after a space or slash, occurs at an index."""
     token = side[at]
     if token.kind in {"percent", "degree"}:
         return True

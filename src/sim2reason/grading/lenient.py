@@ -1,7 +1,7 @@
-"""The last quantity of a response without a box, with what belongs to it: for evaluation, never for a reward.
+"""The last quantity of a response without a box, for evaluation only, never for a reward.
 
-As a reward it could be farmed by ending on a likely number. What wraps an answer is taken off: tags, JSON, signs of
-mathematics, Markdown, tokens that end a text. Its sentence must offer no second value and no denial.
+As a reward it could be exploited by ending on a likely number. Wrappers of the answer are removed: tags, JSON,
+mathematical delimiters, Markdown, end-of-text tokens. Its sentence must contain neither a second value nor a denial.
 """
 
 import re
@@ -18,7 +18,7 @@ from sim2reason.scenes.dsl.units import UnitError
 __all__ = ["last_quantity"]
 
 MOST_WORDS: Final = 6  # of a unit
-WORD: Final = 3  # letters of what is a word of English and no product of letters
+WORD: Final = 3  # letters from which a run is an English word, not a product of symbols
 
 _NUMBER: Final = re.compile(
     r"(?<![\w.^{\\])(?<![\^{][-+−–])[-+−–]?(?:[0-9]{1,3}(?:,[0-9]{3})+|[0-9]+)(?:\.[0-9]+)?(?:[eE][-+]?[0-9]{1,4})?(?![0-9])"
@@ -60,10 +60,10 @@ _LEFT: Final = re.compile(r"[^\s,;:]+")
 
 
 def last_quantity(response: object) -> Iterator[str]:
-    """Yield readings of the last quantity, longest first: its sentence, its equation, its number with a unit.
+    """Yield candidates for the last quantity, longest first: its sentence, its equation, its number with unit.
 
-    Raises `Refused`: no answer where there is no number, wrong where the sentence offers another value or denies this
-    one, unreadable where the number is part of an expression.
+    Raises `Refused`: no answer without a number, wrong if the sentence contains another value or a denial, unreadable
+    if the number is part of an expression.
     """
     sentence = _last_sentence(_unwrapped(spoken(response)[-MAX_ANSWER:]))
     yield sentence
@@ -105,7 +105,7 @@ def _last_sentence(text: str) -> str:
 
 
 def _refuse_doubt(before: str) -> None:
-    """Refuse where what stands before the last number in its sentence denies it or is another value of a list."""
+    """Raise Refused if the text before the last number denies it or lists another value."""
     *_, concluded = [None, *_CONCLUDES.finditer(before)]
     clause = before[concluded.end() :] if concluded else before
     denied = _DENIES.search(clause)
@@ -130,7 +130,7 @@ def _equation(before: str) -> str:
 
 
 def _unit_before_prose(tail: str) -> str | None:
-    """Return the unit that a sentence goes on with, empty after a comma; None where it may be about another value."""
+    """Return the unit with which a sentence continues, empty after a comma; None if another value may follow."""
     if tail.startswith(","):
         return "" if _is_prose(tail.split()) else None
     words = tail.split()
@@ -145,7 +145,7 @@ def _unit_before_prose(tail: str) -> str | None:
 
 
 def _is_prose(words: list[str]) -> bool:
-    """Return whether words have no number and nothing that offers another value."""
+    """Return whether words contain neither a number nor anything that offers another value."""
     plain = {word.strip(",.;:()").lower() for word in words}
     return not plain & (_DENIED_BEHIND | HEDGES | SOFT_HEDGES - {"to", "and"}) and not any(
         re.search(r"[0-9<>±~]", word) for word in words

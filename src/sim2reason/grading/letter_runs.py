@@ -1,4 +1,4 @@
-"""Runs of letters, cut into names."""
+"""Splitting of letter runs, such as ``mgh``, into names."""
 
 from functools import lru_cache
 from typing import Final
@@ -6,7 +6,7 @@ from typing import Final
 from sim2reason.grading.alphabet import FUNCTIONS, GREEK_NAMES
 
 Pieces = tuple[tuple[str, str], ...]
-_SHORT: Final = 24  # letters: the runs whose names are kept; those of longer ones would fill the memory
+_SHORT: Final = 24  # letters of the longest runs whose splits are cached
 
 
 def split(run: str, symbols: frozenset[str] | None) -> Pieces | None:

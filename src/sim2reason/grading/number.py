@@ -1,4 +1,4 @@
-"""Numbers: one finite value, in the asked unit or converted to it, within a relative tolerance."""
+"""Grading of numbers: one finite value, in the requested unit or converted to it, within a relative tolerance."""
 
 import math
 import re
@@ -31,7 +31,7 @@ from sim2reason.scenes.dsl.units import Dimension, Unit, UnitError, parse_unit
 
 __all__ = ["number", "unit_stated"]
 
-AGREE = 0.05  # relative: how far apart two sides may be that say the same
+AGREE = 0.05  # relative difference between two sides that count as equal
 _NO_REMARK = Remark()
 _PART = re.compile(r"\s*\\text\s*\{\s*\((?:[a-dA-D]|i{1,3}|iv)\)\s*\}(?=\s*[-−+.0-9])")
 """The letter of a part of a problem. An e would be a number, and one in italics a symbol."""
@@ -41,7 +41,7 @@ _RECIPROCAL = re.compile(r"1\s*/")
 
 
 class _Quantity(NamedTuple):
-    """What an answer says: a value, its unit if one is stated, and the remark behind it."""
+    """A parsed answer: a value, its unit if stated, and the remark after it."""
 
     value: float
     unit: Unit | None = None
@@ -49,7 +49,7 @@ class _Quantity(NamedTuple):
     remark: Remark = _NO_REMARK
 
     def signed_by(self, positive: str, *, below_zero: bool) -> "_Quantity":
-        """With the sign that its directions give it; `Refused` where they should and can't."""
+        """Return the quantity with the sign of its directions; Refused if a needed sign is undefined."""
         sign = remarks.sign_for(self.remark.directions, positive, written=self.signed, below_zero=below_zero)
         return self._replace(value=sign * self.value)
 
@@ -110,7 +110,7 @@ def unit_stated(content: str) -> Unit | None:
 
 
 def _answer(response: object, asked: Unit | None, *, lenient: bool) -> _Quantity:
-    """Return what stands in the box."""
+    """Return the quantity in the box of a response."""
     try:
         return _stated(boxed(response), asked)
     except Refused as refused:
@@ -126,7 +126,7 @@ def _answer(response: object, asked: Unit | None, *, lenient: bool) -> _Quantity
 
 
 def _stated(content: str, asked: Unit | None) -> _Quantity:
-    """Return the quantity that an answer's last side says, with which the sides before it agree."""
+    """Return the quantity on the last side of an answer, after checking that the other sides agree."""
     content = spelled(content.rstrip(" \t\n."))
     part = _PART.match(content)
     content = content[part.end() :] if part is not None else content
@@ -162,7 +162,7 @@ def _quantity(content: str, tokens: Sequence[Token], asked: Unit | None) -> _Qua
 
 
 def _behind(tail: str, asked: Unit | None, refusal: Refused | None) -> tuple[Unit | None, Remark]:
-    """Return the unit and the remark that the text behind a value spells."""
+    """Return the unit and the remark in the text after a value."""
     if tail[0] == ":" and _TO_ONE.fullmatch(tail) and (asked is None or not any(asked.dimension)):
         return None, _NO_REMARK
     if tail[0].isdigit() and not _RECIPROCAL.match(tail):
@@ -184,7 +184,7 @@ def _behind(tail: str, asked: Unit | None, refusal: Refused | None) -> tuple[Uni
 
 
 def _check(content: str, said: Statement, found: _Quantity, asked: Unit | None) -> None:
-    """Refuse where a side in numbers says something else."""
+    """Raise Refused if a numeric side has another value."""
     for side in map(unwrapped, said.before):
         shown = content[side[0].begin : side[-1].finish]
         try:
@@ -203,9 +203,9 @@ def _check(content: str, said: Statement, found: _Quantity, asked: Unit | None) 
 
 
 def _step(content: str, side: Sequence[Token], asked: Unit | None) -> _Quantity | None:
-    """Return the value that a step gives to another name; None for an expression of symbols.
+    """Return the value that a step assigns to another name; None for an expression of symbols.
 
-    None, too, where its unit shows that it can't be the answer.
+    None also if the unit shows that the value cannot be the answer.
     """
     try:
         claim = _claim(content, side, asked)
@@ -219,7 +219,7 @@ def _step(content: str, side: Sequence[Token], asked: Unit | None) -> _Quantity 
 
 
 def _check_again(said: _Quantity, signed: _Quantity, asked: Unit | None, positive: str) -> None:
-    """Refuse where brackets say another value; a magnitude with a direction may stand there for a signed one."""
+    """Raise Refused if a remark repeats another value; a magnitude with direction may repeat a signed value."""
     for text in said.remark.again:
         again = _quantity(text, statement(flattened(tokenize(text, frozenset()))).value, asked)
         told = again.remark.directions and not again.signed
@@ -234,7 +234,7 @@ def _check_again(said: _Quantity, signed: _Quantity, asked: Unit | None, positiv
 
 
 def _refuse_others(shown: str, said: Statement, side: Sequence[Token], asked: Unit | None) -> None:
-    """Refuse a side that is another quantity than the asked one."""
+    """Raise Refused for a side that names another quantity than the requested one."""
     if asked is None:
         return
     pure = any(asked.dimension) and labels.is_pure(side)
@@ -243,9 +243,9 @@ def _refuse_others(shown: str, said: Statement, side: Sequence[Token], asked: Un
 
 
 def _claim(content: str, side: Sequence[Token], asked: Unit | None) -> _Quantity | None:
-    """What a side in numbers says; None for a name, and for an expression of symbols or quantities, which is a step.
+    """Return the quantity on a numeric side; None for a name or an expression of symbols, which is a step.
 
-    Raises `Refused` for numbers that cannot be read.
+    Raises `Refused` for unreadable numbers.
     """
     if not labels.has_numbers(side) or labels.is_bare(side):
         return None
@@ -258,7 +258,7 @@ def _claim(content: str, side: Sequence[Token], asked: Unit | None) -> _Quantity
 
 
 def _agree(one: _Quantity, other: _Quantity, asked: Unit | None) -> bool:
-    """Return whether two say the same: bare numbers in either's unit, in that of the SI, or in the asked one."""
+    """Return whether two quantities are equal: bare numbers in either's unit, SI units or the requested unit."""
     if one.unit is not None and other.unit is not None:
         factor = one.unit.factor_to(other.unit)
         return factor is not None and _near(one.value * factor, other.value)
@@ -303,5 +303,5 @@ def _show(value: float, unit: Unit | None) -> str:
 
 @lru_cache(maxsize=256)
 def _template(unit: Unit) -> str:
-    """Return how a number in a unit is shown, with # for the number."""
+    """Return the format of a number in a unit, with # for the number."""
     return unit.quantity("#")

@@ -1,7 +1,7 @@
-"""The grammar of values: from tokens to a function of the bindings, in floats only.
+"""Parser of values: from tokens to a function of symbol values, in floats only.
 
-A product by juxtaposition binds as tightly as one with a sign, so ``a/bc`` could mean two things and is refused.
-Nothing here runs longer than a constant times the number of tokens, and nesting is capped.
+Juxtaposition binds as tightly as a multiplication sign, so ``a/bc`` is ambiguous and refused. The running time is
+linear in the number of tokens, and nesting is limited.
 """
 
 from collections.abc import Sequence
@@ -25,7 +25,7 @@ def _unreadable(why: str) -> Refused:
 
 
 class _Parser:
-    """Recursive descent over one answer; `unit_follows` keeps a degree sign after the whole value for the unit."""
+    """A recursive descent parser of one answer; with `unit_follows`, a final degree sign belongs to the unit."""
 
     def __init__(self, tokens: Sequence[Token], *, unit_follows: bool) -> None:
         end = tokens[-1].finish if tokens else 0
@@ -51,7 +51,7 @@ class _Parser:
         return True
 
     def sign(self) -> bool:
-        """Return whether a minus stands here; an en dash counts as one where a value must follow."""
+        """Return whether a minus sign comes next; an en dash counts as one where a value must follow."""
         return self.next.kind in _SIGNS and self.take().kind != "plus"
 
     def expression(self) -> Node:
@@ -66,7 +66,7 @@ class _Parser:
         return arithmetic.total(terms)
 
     def quotient(self) -> Node:
-        r"""Return a sum, or two with ``\over`` between them: what a pair of braces holds."""
+        r"""Parse the content of a brace pair: a sum, or two sums with ``\over`` between them."""
         above = self.expression()
         if not self.skip("over"):
             return above
@@ -75,7 +75,7 @@ class _Parser:
         return arithmetic.product([(above, False), (below, True)])
 
     def product(self) -> Node:
-        """Factors joined by signs or standing side by side; at the top, what cannot follow is left for the unit."""
+        """Parse factors joined by signs or juxtaposed; at the top level, the rest is left for the unit."""
         factors = [(self.power(), False)]
         while True:
             mark, depth = self.at, self.depth
@@ -90,7 +90,7 @@ class _Parser:
             factors.append(factor)
 
     def next_factor(self, *, divided: bool) -> tuple[Node, bool] | None:
-        """Return the next factor and whether it divides; None where the product ends."""
+        """Parse the next factor and return it with whether it divides; None at the end of the product."""
         if self.next.kind in {"times", "slash"} or self.is_cross():
             divides = self.take().kind == "slash"
             negative = self.sign()
@@ -108,7 +108,7 @@ class _Parser:
         return factor, False
 
     def starts(self) -> bool:
-        """Return whether a factor may begin here without a sign."""
+        """Return whether a factor without a sign may begin here."""
         token, inside = self.next, self.tokens[self.at + 1].kind
         if token.kind == "open":  # braces are unseen in print, where 3{.5} reads as 3.5
             return inside in _STARTS | {"open"} or (token.text != "{" and inside != "word")
@@ -118,7 +118,7 @@ class _Parser:
         return self.next.kind == "bar" and (self.next.text == "(" or self.next.text == "|" != self.in_bars)
 
     def is_cross(self) -> bool:
-        """Return whether the letter x here is the times sign of a power of ten."""
+        """Return whether the letter x here is the multiplication sign of a power of ten."""
         cross = self.next
         if cross.kind != "word" or cross.text not in {"x", "X"}:
             return False
@@ -149,7 +149,7 @@ class _Parser:
         return base
 
     def exponent(self) -> Node:
-        """Return what stands raised: a group, or a sign and one atom; towers associate to the right."""
+        """Parse an exponent: a group, or a sign and one atom; towers associate to the right."""
         self.deeper()
         negative = self.sign()
         node = self.group() if self.next.kind == "open" else self.atom()
@@ -188,7 +188,7 @@ class _Parser:
         return arithmetic.constant(arithmetic.CONSTANTS[token.text] if token.kind == "constant" else float(token.text))
 
     def visible_group(self) -> Node:
-        """A group that print shows as one: braces around a sum, or around a product with a power, are not seen."""
+        """Parse a group, which must be visible in print: a sum in invisible braces is refused."""
         opening, begin, group = self.next.text, self.at + 1, self.group()
         raised = self.next.kind in {"power", "script"}
         product = self.at - begin > 2 and self.tokens[begin].kind not in {"open", "root"}
@@ -197,7 +197,7 @@ class _Parser:
         return group
 
     def unexpected(self) -> Refused:
-        """Return why the next token cannot stand where it does."""
+        """Return the refusal for the next token, which is invalid at its position."""
         match self.next.kind:
             case "end":
                 return _unreadable("the answer breaks off")
@@ -230,7 +230,7 @@ class _Parser:
         return arithmetic.call("abs", inside)
 
     def argument(self) -> Node:
-        """Return what a command of TeX takes: a group, or a single digit or letter."""
+        """Parse the argument of a TeX command: a group, or a single digit or letter."""
         if self.next.kind != "number":
             self.deeper()
             node = self.group() if self.next.kind == "open" else self.atom()
@@ -253,7 +253,7 @@ class _Parser:
         return arithmetic.root(radicand, index) if index else arithmetic.call("sqrt", radicand)
 
     def function(self) -> Node:
-        r"""``\sin x``, ``\sin^2 x``, ``\sin^{-1} x`` (the inverse), ``\log_{10} x``."""
+        r"""Parse ``\sin x``, ``\sin^2 x``, ``\sin^{-1} x`` (the inverse) or ``\log_{10} x``."""
         self.deeper()
         name, exponent = self.take().text, None
         mark = self.at
@@ -269,7 +269,7 @@ class _Parser:
         return arithmetic.power(value, exponent) if exponent else value
 
     def operand(self) -> Node:
-        r"""What a function applies to: a group, or numbers and names side by side, to an angle or space like ``\,``."""
+        r"""Parse the argument of a function: a group, or juxtaposed numbers and names up to a space like ``\,``."""
         if self.next.kind == "open":
             return self.group()
         if self.next.kind == "function" or self.opens_bars():
@@ -291,9 +291,9 @@ class _Parser:
 
 
 def parse(tokens: Sequence[Token], *, unit_follows: bool) -> tuple[Node, int, Refused | None]:
-    """Return the value that `tokens` begin with, how many of them it takes, and what kept it from taking more.
+    """Parse the value at the start of `tokens`; return it, the number of tokens used, and why parsing stopped.
 
-    What is left may be a unit. Raises `Refused`: unreadable, wrong (a range), or too long (nested too deeply).
+    The remaining tokens may be a unit. Raises `Refused`: unreadable, wrong (a range), or too long (nested too deeply).
     """
     parser = _Parser(tokens, unit_follows=unit_follows)
     node = parser.quotient()

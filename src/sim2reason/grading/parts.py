@@ -1,4 +1,4 @@
-r"""Answers of several parts: one box, in which a label stands before each of them, ``\boxed{(a) 2.1; (b) 3.4}``."""
+r"""Answers of several parts in one box, each after its label: ``\boxed{(a) 2.1; (b) 3.4}``."""
 
 import re
 from collections.abc import Callable, Sequence
@@ -32,10 +32,10 @@ Grader = Callable[[str], Score]
 
 
 def parts(response: object, graders: Sequence[Grader], *, partial: bool = False) -> Score:
-    """Grade a box with the labelled answers to several parts, each by its own grader; the score holds those of all.
+    """Grade a box with labelled answers to several parts, each with its own grader.
 
-    The answers may stand in any order, each behind its label. A label that occurs twice, one of no part, or anything
-    before the first label makes the whole box unreadable; a part without a label has no answer.
+    The answers may be in any order, each after its label. A repeated label, an unknown one, or text before the first
+    label makes the whole box unreadable; a part without a label has no answer.
 
     Args:
         response: the whole text, as all graders take it.
@@ -76,7 +76,7 @@ def _shown(parsed: float | str | None) -> str:
 
 
 def _answers(content: str, labels: str) -> dict[str, str]:
-    """Return the text behind each label."""
+    """Return the text after each label, by label."""
     text = _RUN.sub(_parted, _INNER.sub(r"(\1)", _in_rows(content)))
     found = list(_LABEL.finditer(text))
     said: dict[str, str] = {}
@@ -94,13 +94,13 @@ def _answers(content: str, labels: str) -> dict[str, str]:
 
 
 def _in_rows(content: str) -> str:
-    """Return the content; where all of it is the rows of an array, these alone."""
+    """Return the content of a box; if it is a LaTeX array, only its rows."""
     found = _LINES.fullmatch(content)
     return found["rows"].replace("&", " ") if found else content
 
 
 def _parted(run: re.Match[str]) -> str:
-    """Return a text in a font, cut where labels stand in it, so that each label stands by itself."""
+    """Return a text command split at the labels in it, so that each label is separate."""
     pieces = _LABEL.split(run[2])
     if len(pieces) == 1:
         return run[0]
@@ -110,7 +110,7 @@ def _parted(run: re.Match[str]) -> str:
 
 
 def _is_balanced(text: str) -> bool:
-    """Return whether each brace has its partner within the text."""
+    """Return whether all braces in the text are matched."""
     depth = 0
     for brace in re.findall(r"(?<!\\)[{}]", text):
         depth += 1 if brace == "{" else -1

@@ -1,4 +1,4 @@
-"""Where formulas are tried: values of all symbols at once, over their ranges, that nobody can foresee."""
+"""Test points for formulas: unpredictable values of all symbols within their ranges."""
 
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
@@ -13,23 +13,23 @@ from sim2reason.grading.arithmetic import Node
 __all__ = ["POINTS", "Bindings", "Ranges", "drawn", "sound", "turned"]
 
 POINTS: Final = 8
-TRIES: Final = 128
-USUAL: Final = 0.2, 1.5  # all alike and positive, as physical quantities are; angles acute
-WIDE: Final = 1e-3, 5.0  # over decades, where one part of a formula outweighs the others
-AROUND: Final = 3.0  # the largest factor by which a given value is moved
-AFAR: Final = 20.0  # where a sign is looked for that the given values do not have
+TRIES: Final = 128  # candidate points
+USUAL: Final = 0.2, 1.5  # default range of a positive quantity, all of one magnitude; angles acute
+WIDE: Final = 1e-3, 5.0  # range over several decades, in which single terms of a formula dominate
+AROUND: Final = 3.0  # largest factor between a given value and a test value
+AFAR: Final = 20.0  # largest factor in the search for a value of the opposite sign
 FAR_TRIES, TURNED = 24, 2
 RIGHT_ANGLE: Final = math.pi / 2
-MARGIN: Final = 0.01  # of it, that angles keep from its multiples
+MARGIN: Final = 0.01  # of a right angle, between angles and its multiples
 STEP: Final = 1e-9
-STEEPEST: Final = 1e4  # of the relative change of a value to that of its symbols: beyond, its digits are lost
+STEEPEST: Final = 1e4  # condition number above which a value has lost its digits
 
 Bindings = Mapping[str, float]
 Ranges = Mapping[str, tuple[float, float]]
 
 
 def _share(*seed: object) -> float:
-    """Return a number in [0, 1) that depends on nothing but `seed`."""
+    """Return a pseudo-random number in [0, 1) determined by `seed`."""
     digest = blake2b("\0".join(map(str, seed)).encode(errors="replace"), digest_size=8).digest()
     return int.from_bytes(digest) / 2**64
 
@@ -37,7 +37,7 @@ def _share(*seed: object) -> float:
 def drawn(
     node: Node, table: Collection[str], given: Sequence[Bindings], ranges: Ranges, seed: str
 ) -> Iterator[Bindings]:
-    """At least eight points where the reference has a value: around those that are given, or over the ranges."""
+    """Yield at least eight points at which the reference has a value, near given points or within the ranges."""
     names = sorted(table)
     if given:
         around = (_around(given[attempt % len(given)], names, seed, attempt) for attempt in range(TRIES))
@@ -49,7 +49,7 @@ def drawn(
 
 
 def turned(node: Node, table: Collection[str], given: Sequence[Bindings], sign: float, seed: str) -> list[Bindings]:
-    """Points farther away where the reference has the other sign, if there are: there a magnitude shows."""
+    """Return distant points at which the reference has the opposite sign, so that a magnitude is detected."""
     names = sorted(table)
     far = (_around(given[attempt % len(given)], names, seed, POINTS + attempt, AFAR) for attempt in range(FAR_TRIES))
     return list(islice((point for point in far if (arithmetic.value(node, point) or 0.0) * sign < 0.0), TURNED))
@@ -66,7 +66,7 @@ def _ends(name: str, ranges: Ranges, low: float, high: float) -> tuple[float, fl
 
 
 def _within(ends: Ranges, seed: str, attempt: int, scale: float) -> Bindings:
-    """Return one point; over decades where the ends are positive."""
+    """Return one random point within ranges; logarithmic where both ends are positive."""
     point: dict[str, float] = {}
     for name, (low, high) in ends.items():
         share = _share(seed, attempt, name, scale)
@@ -76,7 +76,7 @@ def _within(ends: Ranges, seed: str, attempt: int, scale: float) -> Bindings:
 
 
 def _around(given: Bindings, names: Sequence[str], seed: str, attempt: int, far: float = AROUND) -> Bindings:
-    """Return all of a point moved at once, each by a factor; an angle within its quadrant, and zero to something."""
+    """Return a point with all values changed by random factors; angles stay in their quadrants."""
     point: dict[str, float] = {}
     for name in names:
         value, share = given[name], _share(seed, attempt, name)
@@ -89,7 +89,7 @@ def _around(given: Bindings, names: Sequence[str], seed: str, attempt: int, far:
 
 
 def sound(node: Node, points: Sequence[Bindings]) -> list[tuple[Bindings, float]]:
-    """Return the points where a reference has a value with digits to compare: a difference that cancels has none."""
+    """Return the points, with values, at which the reference is well-conditioned (no cancellation)."""
     found: list[tuple[Bindings, float]] = []
     for point in points:
         value = arithmetic.value(node, point)

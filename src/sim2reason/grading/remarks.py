@@ -1,7 +1,7 @@
-r"""What may stand behind a value and its unit: a direction, a remark, the same value in another unit.
+r"""Remarks after a value and its unit: a direction, a comment, or the same value in another unit.
 
-The words are a closed list without denials or alternatives, so that whatever is made of them leaves the value as it
-is. A direction is kept: it never flips a sign that is written, but gives one to a bare magnitude.
+The vocabulary is a closed list without denials or alternatives, so that no remark changes the value. A direction never
+changes a written sign, but gives one to a bare magnitude.
 """
 
 import re
@@ -99,7 +99,7 @@ _LETTER_AXIS: Final = re.compile(r"\b([xyz])[\s-]{1,4}(?:axis|direction)\b")
 
 @dataclass(frozen=True, slots=True)
 class Direction:
-    """A way along an axis: +1 or −1 of what the axis is called by."""
+    """A direction along a named axis: +1 or −1."""
 
     axis: str
     sign: int
@@ -107,19 +107,19 @@ class Direction:
 
 @dataclass(frozen=True, slots=True)
 class Remark:
-    """What stood behind a value: the directions in it, and the same value again, as it was written."""
+    """The parsed text after a value: its directions, and repetitions of the value as written."""
 
     directions: tuple[Direction, ...] = ()
     again: tuple[str, ...] = ()
 
 
 def begins(word: str) -> bool:
-    """Return whether a word can begin a remark; none that can is a unit."""
+    """Return whether a word can begin a remark; none of these words is a unit."""
     return word.lower() in STARTERS
 
 
 def cut(tail: str) -> tuple[str, str]:
-    """Return what follows a value, cut into the unit and the remark."""
+    """Split the text after a value into the unit and the remark."""
     for found in _BREAK.finditer(tail):
         kind = found.lastgroup
         if kind in {"comma", "arrow"} or (kind == "word" and begins(found[0])):
@@ -130,7 +130,7 @@ def cut(tail: str) -> tuple[str, str]:
 
 
 def _remarks(inside: str) -> bool:
-    """Return whether a bracket holds a remark and no unit."""
+    """Return whether a bracket contains a remark and no unit."""
     plain = printed(inside).lstrip()
     word = re.match(r"[A-Za-zµΩ]+|[-−+≈=0-9]|\\approx", plain)
     if word is None or plain.startswith("1/"):
@@ -139,19 +139,19 @@ def _remarks(inside: str) -> bool:
 
 
 def is_blank(text: str) -> bool:
-    """Return whether nothing is left of a text without its braces, spaces and full stops."""
+    """Return whether a text is empty without its braces, spaces and full stops."""
     return not printed(text).strip(" \t\n.")
 
 
 def printed(text: str) -> str:
-    """Return a text without the commands and signs that print does not show, with spaces in their place."""
+    """Return a text with invisible commands and signs replaced by spaces."""
     return _WRAPPER.sub(" ", text)
 
 
 def read(text: str) -> Remark:
-    """Return the remark that `text` is made of.
+    """Parse a remark.
 
-    Raises `Refused`: wrong where it offers a second value, unreadable where it has a word that is not in the list.
+    Raises `Refused`: wrong for a second value, unreadable for a word outside the vocabulary.
     """
     directions: list[Direction] = []
     again: list[str] = []
@@ -167,7 +167,7 @@ def read(text: str) -> Remark:
 
 
 def _pieces(text: str) -> list[tuple[bool, str]]:
-    """Return the parts between commas and brackets, each with whether it stood in brackets."""
+    """Return the parts between commas and brackets, each with whether it was in brackets."""
     pieces: list[tuple[bool, str]] = []
     bracket, start = False, 0
     for found in re.finditer(r"(?<!\\)[,;]|[()\[\]]", text):
@@ -183,7 +183,7 @@ def _accuracy(plain: str) -> bool:
 
 
 def _directions(plain: str) -> list[Direction]:
-    """Return the directions that words speak of; all of them must be in the list, and one must mean something."""
+    """Return the directions in a phrase; every word must be in the vocabulary, and one must have a meaning."""
     if _accuracy(plain):
         return []
     words = _lowered(_AT_ANGLE.sub(" ", plain, count=1))
@@ -199,7 +199,7 @@ def _directions(plain: str) -> list[Direction]:
 
 
 def _lowered(plain: str) -> list[str]:
-    """Return the words of a phrase, each direction as one of `_WAYS`, an axis that is named alone as *x-axis*."""
+    """Return the words of a phrase in lower case, with directions as keys of `_WAYS` and axes as *x-axis*."""
     lowered = _ARROWS.sub(lambda arrow: f" {(COMMANDS[arrow[1]] if arrow[1] else SIGNS[arrow[2]])[1]} ", plain).lower()
     lowered = re.sub(r"\b(?:counter|anti)[\s-]clockwise\b", "counterclockwise", lowered)
     lowered = _AXIS.sub(lambda axis: f" {'-' if (axis[1] or axis[2]) in 'negative-−–' else '+'}{axis[3]} ", lowered)
@@ -208,16 +208,16 @@ def _lowered(plain: str) -> list[str]:
 
 
 def direction_of(text: str) -> Direction | None:
-    """Return the one direction that words speak of; None if there is none, or more than one."""
+    """Return the only direction in a text; None if there is none, or more than one."""
     words = _lowered(printed(text))
     found = {_WAYS[word] for word in words if word in _WAYS} | {_AXES[word] for word in words if word in _AXES}
     return Direction(*found.pop()) if len(found) == 1 else None
 
 
 def sign_for(directions: Sequence[Direction], positive: str, *, written: bool, below_zero: bool = False) -> int:
-    """The sign that directions give a value: that of a bare magnitude, where the question or *negative* asks for one.
+    """Return the sign that directions give to a bare magnitude if the question or *negative* requires one.
 
-    `written` says that the value has a sign, `below_zero` that the reference does.
+    `written` means that the value has a sign, `below_zero` that the reference is negative.
     """
     denied = any(direction.axis == "any" and direction.sign < 0 for direction in directions)
     if written or not directions or not (positive or below_zero or denied):
@@ -226,7 +226,7 @@ def sign_for(directions: Sequence[Direction], positive: str, *, written: bool, b
 
 
 def _sign_of(directions: Sequence[Direction], positive: str) -> int:
-    """The sign that directions give a magnitude, by the question's words for positive; `Refused` if they give none."""
+    """Return the sign of a magnitude from its directions and the positive direction; Refused if undefined."""
     sense = direction_of(positive)
     signs: set[int] = set()
     for direction in directions:

@@ -1,15 +1,15 @@
-"""What a grade is: a reward, the outcome that explains it, what was read, and a sentence for people."""
+"""Scores: the reward, the outcome, the parsed value, and an explanation."""
 
 from dataclasses import dataclass
 from enum import StrEnum
 
 __all__ = ["Outcome", "Refused", "Score"]
 
-SHOWN = 80  # characters of what was read that a repr shows
+SHOWN = 80  # characters of the parsed value in a repr
 
 
 class Outcome(StrEnum):
-    """The outcomes of a response; only `CORRECT`, or right parts under partial credit, earn a reward."""
+    """The outcomes of grading; only `CORRECT`, or correct parts under partial credit, earn a reward."""
 
     CORRECT = "correct"
     WRONG = "wrong"
@@ -21,7 +21,7 @@ class Outcome(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Score:
-    r"""The grade of one response.
+    r"""The result of grading one response.
 
     Attributes:
         reward: 1 for a right answer and 0 for any other; with partial credit, the share of the right parts.
@@ -48,7 +48,7 @@ class Score:
 
     @classmethod
     def of(cls, outcome: Outcome, parsed: float | str | None, why: str) -> "Score":
-        """Return a score with a reward of 1 for a correct answer and of 0 for any other.
+        """Return a score with reward 1 for a correct answer, else 0.
 
         Args:
             outcome: The outcome.
@@ -61,7 +61,7 @@ class Score:
         return cls(1.0 if outcome is Outcome.CORRECT else 0.0, outcome, parsed, why)
 
     def __repr__(self) -> str:
-        """Return the reward, the outcome, the value read, and the number of parts if there are several."""
+        """Return the reward, the outcome, the parsed value, and the number of parts if there are several."""
         parsed = repr(self.parsed)
         shown = parsed if len(parsed) <= SHOWN else f"{parsed[: SHOWN - 1]}…"
         parts = f", parts={len(self.parts)}" if self.parts else ""
@@ -73,14 +73,14 @@ class Score:
 
 
 class Refused(Exception):  # noqa: N818 - a verdict that travels up the parser, not an error of the library
-    """An answer that earns nothing however the rest of it reads."""
+    """An exception for an answer with reward 0, whatever the rest of the answer is."""
 
     def __init__(self, outcome: Outcome, why: str) -> None:
-        """Keep the verdict that the caller turns into a `Score`."""
+        """Store the outcome and the reason for the `Score`."""
         self.outcome, self.why = outcome, why
         super().__init__(why)
 
     @property
     def score(self) -> Score:
-        """Return the score of a response that is refused."""
+        """Return the score of the refused response."""
         return Score.of(self.outcome, None, self.why)

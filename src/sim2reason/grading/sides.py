@@ -1,7 +1,7 @@
-"""What an answer states: statements, their sides, and which side is the value.
+"""Statements of an answer, their sides, and the choice of the side that is the value.
 
-The last right-hand side counts. Sides before it are names, steps with symbols in them, or claims in numbers, which
-must agree with it. Whatever would leave open which of two values is meant is refused here.
+The last right-hand side counts. Sides before it are names, symbolic steps, or numeric claims, which must agree with it.
+Ambiguous answers are refused here.
 """
 
 from collections.abc import Sequence
@@ -29,11 +29,11 @@ Tokens = list[Token]
 
 @dataclass(frozen=True, slots=True)
 class Statement:
-    """The last statement of an answer: the side that counts, and the sides before it that are not plain names.
+    """The last statement of an answer: the side that counts, and earlier sides that are not plain names.
 
-    `doubt` is what the value's own side has that could offer another value, unless it is part of a remark. `rounded`
-    says that the value stands behind a sign for *approximately*, `named` that a side before it is a name. `others` are
-    the sides of steps that give a name to something else: where one is a value, it must be the same.
+    `doubt` is a token on the value's own side that may offer another value, unless it is part of a remark. `rounded`
+    means that the value follows a sign for *approximately*, `named` that an earlier side is a name. `others` are the
+    sides of steps that name something else: a value among them must equal this one.
     """
 
     value: Tokens
@@ -44,16 +44,16 @@ class Statement:
     others: tuple[Tokens, ...] = ()
 
     def refuse_unsolved(self, side: Tokens) -> None:
-        """Refuse an equation for its one symbol, such as 2T = 9.8, or a sum, where no other side is a name."""
+        """Raise Refused for an unsolved equation, such as 2T = 9.8, or a sum, unless another side is a name."""
         if not self.named and (labels.is_compound(side) or labels.is_mixed_sum(side)):
             raise _unreadable("it is an equation that is still to be solved")
 
 
 def statement(tokens: Tokens) -> Statement:
-    """Return what an answer's tokens state.
+    """Return the statement that an answer's tokens make.
 
-    Raises `Refused`: wrong where it hedges (a list, a range, ±, "or", an inequality), unreadable where nothing or too
-    much is left to be the value.
+    Raises `Refused`: wrong for hedges (a list, a range, ±, "or", an inequality), unreadable if nothing or too much
+    remains as the value.
     """
     tokens = unwrapped(tokens)
     kinds = {token.kind for token in tokens}
@@ -79,24 +79,24 @@ def _unreadable(why: str) -> Refused:
 
 
 def two_values() -> Refused:
-    """Return the refusal of an answer that gives two names two values."""
+    """Return the refusal of an answer that assigns two values."""
     return _unreadable("it names two values, and nothing says which is meant")
 
 
 def more_or_less(token: Token) -> Refused:
-    """Return the refusal of an answer for a token that could make another value of it."""
+    """Return the refusal of an answer for a token that makes its value ambiguous."""
     return Refused(Outcome.WRONG, f"'{token.shown}' makes it more, or less, than one value")
 
 
 def _refuse_hedges(tokens: Tokens) -> None:
-    """Refuse what hedges wherever it stands; of signs between statements that is decided later."""
+    """Raise Refused for hedges such as *or*; signs between statements are checked later."""
     for token in tokens:
         if token.kind == "hedge" and token.text != ",":
             raise more_or_less(token)
 
 
 def _said(tokens: Tokens) -> Tokens:
-    """Without a word for *approximately* at the beginning."""
+    """Return the tokens without an initial word for *approximately*."""
     if tokens[0].text.lower() in remarks.APPROXIMATELY:
         skip = 2 if len(tokens) > 1 and tokens[1].kind == "stop" else 1
         return tokens[skip:]
@@ -104,7 +104,7 @@ def _said(tokens: Tokens) -> Tokens:
 
 
 def _parts(tokens: Tokens) -> list[tuple[bool, Tokens]]:
-    """The statements, each with whether it is said to follow from those before; remarks stay with their value."""
+    """Return the statements, each with whether it is a conclusion from earlier ones."""
     parts: list[tuple[bool, Tokens]] = [(False, [])]
     depth = 0
     kinds = [token.kind for token in tokens]
@@ -136,9 +136,9 @@ def _parts(tokens: Tokens) -> list[tuple[bool, Tokens]]:
 
 
 def _divides(tokens: Tokens, position: int, *, related: bool) -> bool | None:
-    """Return whether a new statement begins behind this token, and as a conclusion; None if none does.
+    """Return whether a new statement begins after this token, as a conclusion or not; None if none begins.
 
-    `related` says that a relation follows.
+    `related` means that a relation follows.
     """
     token = tokens[position]
     if token.kind == "step" or (token.kind == "word" and token.text.lower() in _STEPS):
@@ -155,7 +155,7 @@ def _divides(tokens: Tokens, position: int, *, related: bool) -> bool | None:
 
 
 def _sides(tokens: Tokens) -> tuple[list[Tokens], list[Token]]:
-    """Return the sides of a chain and what stands between them: relations, a colon or a verb behind words."""
+    """Return the sides of a chain and the tokens between them: relations, colons, or verbs after words."""
     sides: list[Tokens] = [[]]
     relations: list[Token] = []
     depth = 0
@@ -177,9 +177,9 @@ def _sides(tokens: Tokens) -> tuple[list[Tokens], list[Token]]:
 
 
 def _check_earlier(tokens: Tokens, name: Tokens, *, implied: bool) -> list[Tokens]:
-    """Refuse an earlier statement that is another answer; a condition, or an equation to be solved, is none.
+    """Raise Refused for an earlier statement with another answer, but not for conditions or unsolved equations.
 
-    Of a step that gives a name to something, the sides but that name are returned: they tell whether it is a value.
+    For a step with another name, its other sides are returned, so that they can be checked for values.
     """
     if tokens[0].kind == "word" and tokens[0].text.lower() in _CONDITIONS:
         given = _sides(tokens[1:])[0][0]
@@ -203,7 +203,7 @@ def _check_earlier(tokens: Tokens, name: Tokens, *, implied: bool) -> list[Token
 
 
 def _chosen(sides: list[Tokens], relations: Sequence[Token]) -> Statement:
-    """Return the last side, where those before it leave no doubt."""
+    """Return the statement with the last side as its value if the earlier sides leave no doubt."""
     if len(sides) > 1 and _is_name_of(sides[-1], sides[-2]):
         sides, relations = [sides[-1], *sides[:-1]], [relations[-1], *relations[:-1]]
     value = unwrapped(sides[-1])
@@ -222,7 +222,7 @@ def _chosen(sides: list[Tokens], relations: Sequence[Token]) -> Statement:
 
 
 def _is_name_of(last: Tokens, before: Tokens) -> bool:
-    """Return whether the last side only names the value before it, as in *9.8 m = h*."""
+    """Return whether the last side is only the name of the value before it, as in *9.8 m = h*."""
     if not last or any(token.kind in _NO_NAME for token in last):
         return False
     return labels.is_bare(last) and not labels.is_bare(before)
@@ -233,13 +233,13 @@ def _doubt(tokens: Tokens) -> Token | None:
 
 
 def is_signed(tokens: Sequence[Token]) -> bool:
-    """Return whether a value begins with a sign, be it in parentheses or above a fraction's bar."""
+    """Return whether a value begins with a sign, also inside parentheses or a numerator."""
     first = next((token for token in tokens if token.kind not in {"open", "fraction"}), None)
     return first is not None and first.kind in {"plus", "minus", "dash"}
 
 
 def flattened(tokens: Tokens) -> Tokens:
-    r"""Without the braces of ``\text{…}`` and its like, which print does not show, but where they hold an argument."""
+    r"""Return the tokens without the invisible braces of ``\text{…}`` and similar, except around arguments."""
     kept: Tokens = []
     stack: list[tuple[str, bool]] = []  # for each open group, what closes it, and whether it is kept
     argument = 0  # how many groups a fraction still takes
@@ -262,7 +262,7 @@ def flattened(tokens: Tokens) -> Tokens:
 
 
 def unwrapped(tokens: Tokens) -> Tokens:
-    """Without the groups that enclose all of it: braces, parentheses, upright or bold text."""
+    """Return the tokens without groups that enclose all of them: braces, parentheses, font commands."""
     if not tokens or tokens[0].kind != "open" or tokens[-1].kind != "close":
         return tokens
     closings: dict[int, int] = {}

@@ -1,4 +1,4 @@
-r"""Commands of siunitx, and mhchem's ``\pu``, in plain spelling: ``\qty{9.8}{\meter\per\second\squared}``."""
+r"""Expansion of siunitx commands and mhchem's ``\pu``: ``\qty{9.8}{\meter\per\second\squared}``."""
 
 import re
 from dataclasses import dataclass, field
@@ -35,7 +35,7 @@ _NAMED: Final = {"degree": "deg", "percent": "%", "degreeCelsius": "°C", "celsi
 
 
 def expanded(content: str) -> str:
-    """`content` with such commands written out; `Refused` (unreadable) for numbers with commas or uncertainties."""
+    """Return `content` with siunitx commands expanded; Refused (unreadable) for commas or uncertainties."""
     if _CALLED.search(content) is None:
         return content
     content = _QUANTITY.sub(lambda match: rf"{_number(match[1])}\ \text{{{_unit(match[2])}}}", content)
@@ -64,13 +64,13 @@ def _number(text: str) -> str:
 
 
 def _split(text: str) -> tuple[str, str]:
-    r"""Return the number and the unit of a ``\\pu``."""
+    r"""Return the number and the unit of a ``\\pu`` command."""
     found = _NUMBER.match(text)
     return (text[: found.end()], text[found.end() :]) if found else (text, "")
 
 
 def _unit(text: str) -> str:
-    r"""Return a unit of macros, of letters or of both; ``\\per`` divides by the next alone."""
+    r"""Return a unit from macros, letters or both; ``\\per`` applies only to the next factor."""
     unit = _Unit()
     for found in _MACRO.finditer(text):
         name, argument = found["name"] or "", found["argument"] or ""
@@ -91,7 +91,7 @@ def _unit(text: str) -> str:
 
 @dataclass(slots=True)
 class _Unit:
-    """The factors of a unit so far, and what is said of the next: its prefix, its power, whether it divides."""
+    """The factors of a unit so far, and the pending prefix, power and division of the next one."""
 
     factors: list[str] = field(default_factory=list[str])
     prefix: str = ""
@@ -116,7 +116,7 @@ class _Unit:
             self.add(_SYMBOLS.get(word, word) if self.prefix else word)
 
     def add(self, word: str) -> None:
-        """A unit, with all that was said of it."""
+        """Add a unit with its pending prefix, power and division."""
         symbol = _prefixed(self.prefix, word) if self.prefix else word
         self.factors.append(_powered(symbol + ("^{-1}" if self.divides else ""), self.power))
         self.prefix, self.power, self.divides = "", "", False
@@ -129,7 +129,7 @@ class _Unit:
         self.factors[-1] = _powered(last, power)
 
     def separate(self, sign: str) -> None:
-        """Whatever is neither a macro nor a word, as it stands."""
+        """Add a separator, such as a dot or slash, unchanged."""
         if "\\" in sign.replace(r"\%", ""):
             raise _misplaced("a backslash")
         if sign.strip():
@@ -146,7 +146,7 @@ def _misplaced(what: str) -> Refused:
 
 
 def _prefixed(prefix: str, word: str) -> str:
-    """Return a symbol with its prefix, if that is no other unit's: a centiday is no candela."""
+    """Return a symbol with its prefix unless that is another unit: a centiday is not a candela."""
     try:
         if parse_unit(prefix + word).dimension == parse_unit(word).dimension:
             return prefix + word

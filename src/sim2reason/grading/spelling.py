@@ -1,7 +1,7 @@
-r"""Layout that print shows as nothing, and the further spellings of one thing, brought to one.
+r"""Normalization of an answer's spelling: removal of invisible layout, and one form for equivalent commands.
 
-What is left is for the tokenizer: ``\hspace{1mm}`` becomes a space, ``30º`` and ``30^{\text{o}}`` become ``30°``,
-``0.\overline{6}`` gets its digits. Most answers have none of it and are returned as they are. Every pattern is linear.
+For the tokenizer, ``\hspace{1mm}`` becomes a space, ``30º`` and ``30^{\text{o}}`` become ``30°``, and
+``0.\overline{6}`` is expanded. Most answers are returned unchanged. All patterns run in linear time.
 """
 
 import re
@@ -66,11 +66,11 @@ _REPEATING: Final = re.compile(
     r"(?P<digits>[0-9]*\.[0-9]*)\s*\\(?:overline|bar|dot)(?:\s*\{(?P<many>[0-9]{1,6})\}|\s*(?P<one>[0-9]))"
 )
 _BOLD: Final = re.compile(r"\*\*(?=\s*(?:\Z|[,;.:)=≈]|\\|[A-Za-z]))")
-DIGITS: Final = 18  # of a repeating decimal: all that a float has
+DIGITS: Final = 18  # of a repeating decimal, enough for a float
 
 
 def spelled(content: str) -> str:
-    """An answer in the spelling that the tokenizer reads; `Refused` (unreadable) where print hides a part of it."""
+    """Return an answer in the spelling of the tokenizer; Refused (unreadable) if a part is invisible in print."""
     if _TRIGGER.search(content) is None:
         return content
     if hiding := _HIDING.search(content):
@@ -85,7 +85,7 @@ def spelled(content: str) -> str:
 
 
 def balanced(text: str) -> str:
-    """Return a piece of an answer without the braces that close nothing in it, as print has none."""
+    """Return a piece of an answer without unmatched braces."""
     if "}" not in text:
         return text
     depth, kept = 0, list[str]()
@@ -97,7 +97,7 @@ def balanced(text: str) -> str:
 
 
 def _unmarked(content: str) -> str:
-    """Without the stars of Markdown around the whole answer or its beginning; elsewhere two stars are a power."""
+    """Return the text without Markdown stars around the answer or its beginning; elsewhere ``**`` is a power."""
     bare = content.strip()
     if bare.startswith("**"):
         content = _BOLD.sub(" ", bare[2:], count=1)

@@ -1,7 +1,7 @@
-r"""The tokens of an answer in LaTeX or plain text.
+r"""Tokenizer of answers in LaTeX or plain text.
 
-One regular expression cuts the text; every alternative is linear. Letters become symbols here, because only
-the item's table can tell whether ``mgh`` is one name, three, or a word that nobody knows.
+One regular expression with linear alternatives splits the text. Letters become symbols here, because only the item's
+table of symbols decides whether ``mgh`` is one name, three, or an unknown word.
 """
 
 import re
@@ -29,7 +29,7 @@ __all__ = ["Token", "canonical", "tokenize"]
 
 
 class Token(NamedTuple):
-    r"""A piece of an answer.
+    r"""A token of an answer.
 
     `kind` is number, symbol, constant, function, word, open, close, bar, root, fraction, over, part (½), power, script,
     plus, minus, dash, times, slash, degree, percent, relation, hedge, soft (a word or comma that hedges between
@@ -50,7 +50,7 @@ class Token(NamedTuple):
 
     @property
     def shown(self) -> str:
-        """Return what the answer has there."""
+        """Return the original text of the token."""
         return self.said or self.text
 
 
@@ -82,7 +82,7 @@ _DELIMITED: Final = len(r"\right ")
 
 
 class _Lexer:
-    """Cuts one text; `symbols` None takes every letter for a symbol, as in a reference without a table."""
+    """A lexer of one text; with `symbols` None every letter is a symbol."""
 
     def __init__(self, text: str, symbols: Collection[str] | None, *, primes: bool = False) -> None:
         self.primes = primes
@@ -112,7 +112,7 @@ class _Lexer:
         return self.tokens
 
     def take(self, kind: str, match: re.Match[str]) -> int:
-        """Add what `match` stands for and return where to go on."""
+        """Add the token of a match and return the index where to continue."""
         text = match[0]
         begin, finish = match.span()
         match kind:  # the most frequent ones first
@@ -187,7 +187,7 @@ class _Lexer:
         return self.symbols is not None and name in self.symbols
 
     def letters(self, run: str, begin: int, finish: int, *, named: bool = False) -> int:
-        """Cut a run of letters, and the subscript that follows it, into names; else keep it as one word."""
+        """Split a run of letters and its subscript into names; else add it as one word."""
         upright = named or (bool(self.upright) and self.upright[-1])
         base = VARIANTS.get(run, GREEK.get(run, run))
         end = finish
@@ -216,7 +216,7 @@ class _Lexer:
         return self.labelled(run, label), subscript.end()
 
     def plain_subscript(self, run: str, subscript: re.Match[str], finish: int) -> tuple[Pieces | None, int]:
-        """``m_1g`` is m₁ g as in LaTeX, but ``v_max`` is one name if the table has it; so is ``m1``."""
+        """Split ``m_1g`` as m₁ g, as LaTeX does; but ``v_max`` or ``m1`` is one name if the table has it."""
         label = (subscript[3] or subscript[4]).translate(SCRIPTS)
         start = subscript.end() - len(label)
         for length in range(len(label), 0, -1):
@@ -228,7 +228,7 @@ class _Lexer:
         return self.labelled(run, label[:1]), start + 1
 
     def labelled(self, run: str, label: str) -> Pieces | None:
-        """`run` with a subscript on the whole of it, or on its last letter."""
+        """Return the names in `run`, with the subscript on the whole run or on its last letter."""
         if run in FUNCTIONS:
             return (("function", f"{run}_{label}"),) if run == "log" else None
         for cut in (0, len(run) - 1, len(run) - 3 if run.endswith("ell") else 0):
@@ -243,7 +243,7 @@ class _Lexer:
         return split(run, self.symbols)
 
     def primed(self, match: re.Match[str]) -> int:
-        """Take a letter with primes as one name, if the table has it; else the primes have no meaning."""
+        """Add a letter with primes as one name if the table has it; else drop the primes."""
         plain = match["plain"].lstrip("\\")
         subscript = _SUBSCRIPT.match(self.text, match.end()) if self.text[match.end() :].lstrip()[:1] == "_" else None
         below = "" if subscript is None else "_" + _NO_NAME.sub("", subscript[1] or subscript[2] or subscript[3][:1])
@@ -256,9 +256,9 @@ class _Lexer:
 
 
 def tokenize(text: str, symbols: Collection[str] | None, *, primes: bool = False) -> list[Token]:
-    """Return the tokens of `text`, with letters read by a table of canonical symbol names, or all as symbols if None.
+    """Return the tokens of `text`; letters become the canonical names in `symbols`, or any symbols if None.
 
-    A table says which names have primes; without one, `primes` allows them in all.
+    A table states which names have primes; without one, `primes` allows them for all names.
 
     Raises `Refused` (unreadable) at the first character or command that has no meaning in an answer.
     """
@@ -274,7 +274,7 @@ _HEDGING: Final = dict.fromkeys(HEDGES, "hedge") | dict.fromkeys(SOFT_HEDGES, "s
 
 @lru_cache(maxsize=2048)
 def canonical(name: str) -> str:
-    r"""Return the one spelling of a symbol: ``\mu_{k}``, ``μ_k`` and ``mu_k`` are all ``mu_k``."""
+    r"""Return the canonical spelling of a symbol: ``\mu_{k}``, ``μ_k`` and ``mu_k`` are all ``mu_k``."""
     tokens = tokenize(name, None, primes=True)
     plain = name.strip().lstrip("\\")
     if len(tokens) == 1 and tokens[0].kind in {"symbol", "constant"}:

@@ -1,7 +1,7 @@
-r"""Units as models spell them: what the table does not read at once is brought to its spelling and tried again.
+r"""Units as models write them, normalized to the spellings of the unit table.
 
-``newton-seconds``, ``kg.m/s``, ``Kg``, ``[m/s]``, ``m/s$^2$``, ``sec.``, ``rev/min``, ``M_{\odot}``; ``ms^{-1}`` is
-per millisecond or metres per second, as the asked dimension decides.
+Examples are ``newton-seconds``, ``kg.m/s``, ``Kg``, ``[m/s]``, ``m/s$^2$``, ``sec.``, ``rev/min`` and ``M_{\odot}``;
+``ms^{-1}`` is per millisecond or metres per second, according to the requested dimension.
 """
 
 import math
@@ -54,9 +54,9 @@ _SPLIT: Final = re.compile(r"(?<![A-Za-z\\])(kg|k?N|k?J|g)?(m)?(s)(?![A-Za-z])|(
 
 @lru_cache(maxsize=1024)
 def unit_in(text: str, asked: Unit | None) -> Unit:
-    """Return the unit that `text` spells; of two that it could be, the one that `asked` compares with.
+    """Return the unit that `text` denotes; if ambiguous, the one comparable with `asked`.
 
-    Raises `UnitError` for what is none.
+    Raises `UnitError` if it is not a unit.
     """
     if _STRAY.search(text):
         raise UnitError("a number stands among units")
@@ -77,7 +77,7 @@ def unit_in(text: str, asked: Unit | None) -> Unit:
 
 
 def _spellings(text: str) -> Iterator[str]:
-    """The text as it stands, in the table's spelling, and with metres and seconds that were run together apart."""
+    """Yield the text unchanged, in the table's spelling, and with adjacent metres and seconds separated."""
     yield text
     plain = text
     for pattern, replacement in _REWRITTEN:
@@ -90,7 +90,7 @@ def _spellings(text: str) -> Iterator[str]:
 
 
 def _read(text: str) -> Unit:
-    """Return a unit of the table, or one with a turn, of 2π rad, to the first power."""
+    """Return a unit of the table, or one with a turn (2π rad) to the first power."""
     turns = _TURNS.findall(text)
     if not turns:
         return combined(text, FURTHER)
@@ -102,7 +102,7 @@ def _read(text: str) -> Unit:
 
 
 def is_unit(text: str) -> bool:
-    """Return whether `text` spells a unit."""
+    """Return whether `text` is a unit."""
     try:
         unit_in(text, None)
     except UnitError:

@@ -1,7 +1,7 @@
-"""Usual meanings of single letters: an expression of them cannot name a quantity of another dimension.
+"""Usual meanings of single letters, to detect expressions of another dimension than the requested one.
 
-*xy* is no length, and *a/g* no acceleration. Only what textbooks agree on is here; a letter with several meanings has
-them all, and one that is not here may be any.
+For example, *xy* is not a length, and *a/g* not an acceleration. The table contains only meanings common to textbooks;
+a letter with several meanings has all of them, and other letters may mean anything.
 """
 
 from collections.abc import Sequence
@@ -34,12 +34,12 @@ _USUAL: Final[dict[str, tuple[Dimension, ...]]] = {
     for letter in letters.split()
 }
 _MOST: Final = 6  # letters of an expression
-_SCALES: Final = (1.9, 2.3, 3.1)  # that units of length, mass and time are made larger by
+_SCALES: Final = (1.9, 2.3, 3.1)  # factors by which the units of length, mass and time are enlarged
 _NEAR: Final = 1e-9
 
 
 def may_be(side: Sequence[Token], unit: Unit) -> bool:
-    """Return whether a side of an equation may be a quantity in `unit`; False for letters of another dimension."""
+    """Return whether a side may be a quantity in `unit`; False for letters of another dimension."""
     found = labels.names(side)
     letters = list(dict.fromkeys(letter for letter, _ in found))
     if len(found) <= 1 or len(letters) > _MOST or any(letter not in _USUAL for letter in letters):

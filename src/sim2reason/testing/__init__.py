@@ -1,4 +1,4 @@
-"""The conformance kit: what every entity must fulfil, checked on random scenes and told in words.
+"""The conformance kit: checks of entity classes on random scenes, with findings in words.
 
     from sim2reason.testing import check_entity
 

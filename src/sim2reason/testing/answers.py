@@ -1,4 +1,4 @@
-"""Whether two scenes have the same answers: all that can be asked of one, evaluated in both at the same moments."""
+"""Comparison of the answers of two scenes: all possible queries, evaluated at the same moments."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -13,13 +13,13 @@ from sim2reason.simulation.trace import Event, Trace
 from sim2reason.testing.specimens import Specimen
 
 CLOSE = 1e-6  # relative to the largest value of the quantity
-MOMENTS = (0.0, 0.19, 0.46, 0.73, 0.97)  # parts of the common motion
-SOON, LATE = 1e-6, 1.0 - 1e-4  # parts of the common motion between which events are counted
+MOMENTS = (0.0, 0.19, 0.46, 0.73, 0.97)  # fractions of the common motion
+SOON, LATE = 1e-6, 1.0 - 1e-4  # fractions of the common motion between which events are counted
 
 
 @dataclass(frozen=True)
 class Difference:
-    """An answer that differs, in words."""
+    """A differing answer, with both values."""
 
     asked: str
     expected: float
@@ -27,12 +27,12 @@ class Difference:
 
     @property
     def text(self) -> str:
-        """Return what is asked and both answers."""
+        """Return the query and both answers as text."""
         return f"{self.asked}: {self.found:.9g} in place of {self.expected:.9g}"
 
 
 def same(dimension: Dimension) -> float:
-    """Return no factor: all answers are to stay as they are."""
+    """Return the factor 1 for every dimension: answers must be equal."""
     del dimension
     return 1.0
 
@@ -40,9 +40,9 @@ def same(dimension: Dimension) -> float:
 def differences(
     specimen: Specimen, other: Study, factor: Callable[[Dimension], float] = same, close: float = CLOSE
 ) -> Iterator[Difference]:
-    """What is answered otherwise in another motion of the same scene; answers there should be `factor` times as large.
+    """Yield the differing answers in another motion, where answers should be larger by `factor`.
 
-    Only what both motions describe is compared: the shorter one's end is no difference.
+    Only the common interval of both motions is compared.
     """
     stretch = factor(Dimension(time=1))
     end = min(specimen.end, min(other.trace.stable_until, float(other.trace.state.times[-1])) / stretch)
@@ -72,16 +72,16 @@ def _values(targets: list[Target], trace: Trace, times: list[float], stretch: fl
 
 
 def _events(trace: Trace, end: float, stretch: float) -> list[Event]:
-    """Return what happens between start and end, at times by the clock of the first motion.
+    """Return the events strictly within the interval, without turning points, in the first motion's time.
 
-    At both ends rounding may decide, and for turns everywhere.
+    At both ends rounding errors may decide about an event, and for turning points everywhere.
     """
     events = [Event(event.time / stretch, event.kind, event.subjects) for event in trace.events]
     return [e for e in events if e.changes_motion and SOON * end < e.time < LATE * end]
 
 
 def _parted(mine: list[Event], its: list[Event], end: float, close: float) -> Iterator[Difference]:
-    """Events at other times, or of which one motion has more."""
+    """Yield differences of events: other times, or an event in only one motion."""
     order = sorted(mine, key=lambda event: (event.kind, event.subjects, event.time))
     other = sorted(its, key=lambda event: (event.kind, event.subjects, event.time))
     if [(e.kind, e.subjects) for e in order] != [(e.kind, e.subjects) for e in other]:

@@ -1,4 +1,4 @@
-"""All checks of one entity class."""
+"""The conformance test: all checks of one entity class."""
 
 from collections.abc import Iterable, Iterator
 from traceback import extract_tb
@@ -10,7 +10,7 @@ from sim2reason.testing.report import Finding, Report
 from sim2reason.testing.specimens import Specimen, Specimens, specimen
 
 SEEDS = range(6)
-DRAWN = "drawn"  # the name under which a scene that can't be had is told
+DRAWN = "drawn"  # the check's name for scenes that cannot be drawn
 
 
 def check_entity(
@@ -21,7 +21,7 @@ def check_entity(
     skip: Iterable[str] = (),
     deep: bool = False,
 ) -> None:
-    """Check that an entity class conforms to all that the library promises of entities.
+    """Check that an entity class conforms to the contract of entities.
 
     Random scenes are drawn from the declarations of the class, one for each seed: each optional part is present half of
     the time, and ports are connected to other entities. The checks then test, among other things, that the text states
@@ -77,7 +77,7 @@ def conformance(
 
 
 def _drawn(cls: type[Entity], seed: int) -> Specimen | Finding:
-    """Draw a scene of the class; return a finding if there is none."""
+    """Draw a scene of the class; return a finding if that fails."""
     expected = "random scenes can be drawn from what the class declares"
     try:
         return specimen(cls, seed)
@@ -93,7 +93,7 @@ REMEDY = "raise SceneError, or let a validator refuse the values, where somethin
 
 
 def _caught(name: str, findings: Iterator[Finding]) -> Iterator[Finding]:
-    """Yield the findings of a check, and one more if it was stopped by an exception of the class."""
+    """Yield the findings of a check, and a finding for an exception of the class."""
     try:
         yield from findings
     except Exception as error:  # noqa: BLE001 - the same

@@ -1,16 +1,16 @@
-"""What the kit finds, in words."""
+"""Report of the conformance kit."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 from sim2reason.errors import ConformanceError
 
-FULL = 3  # findings of one check that are told in full
+FULL = 3  # findings of one check that are reported in full
 
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """One thing that does not hold: what was expected and found in which scene, and what to do."""
+    """One violation: expected and actual behaviour, the scene, and a remedy."""
 
     check: str
     expected: str
@@ -21,7 +21,7 @@ class Finding:
 
     @property
     def text(self) -> str:
-        """Return the finding in words, followed by the file of the scene."""
+        """Return the finding in words, followed by the scene file."""
         where = "" if self.seed is None else f" (seed {self.seed})"
         lines = f"{self.check}{where}: {self.found}\n  expected: {self.expected}\n  remedy: {self.remedy}"
         return lines + ("\n  scene:\n" + _indented(self.scene) if self.scene else "")
@@ -29,7 +29,7 @@ class Finding:
 
 @dataclass(frozen=True)
 class Report:
-    """What was found of one entity class, check by check; nothing found means that it conforms."""
+    """The findings about one entity class, check by check; no findings mean conformance."""
 
     entity: str
     checks: tuple[str, ...]  # those that were made
@@ -37,11 +37,11 @@ class Report:
     findings: tuple[Finding, ...] = ()
 
     def __iter__(self) -> Iterator[Finding]:
-        """Return the findings."""
+        """Return an iterator over the findings."""
         return iter(self.findings)
 
     def __len__(self) -> int:
-        """Return how many findings there are."""
+        """Return the number of findings."""
         return len(self.findings)
 
     def __repr__(self) -> str:
@@ -50,7 +50,7 @@ class Report:
         return f"<Report on {self.entity}: {len(self.findings)} findings by {made}>"
 
     def __str__(self) -> str:
-        """Return the findings in words, as `text`."""
+        """Return the findings in words; see `text`."""
         return self.text
 
     @property
@@ -63,7 +63,7 @@ class Report:
         return f"{self.entity}: {len(self.findings)} finding{'s' * (len(self.findings) != 1)}, by {made}\n\n{told}"
 
     def _told(self, check: str) -> str:
-        """Return the first findings of a check in full, and how many more there are."""
+        """Return the first findings of a check in full, and the number of the others."""
         found = [finding for finding in self.findings if finding.check == check]
         more = [f"{check}: and {len(found) - FULL} more"] if len(found) > FULL else []
         return "\n\n".join([*(finding.text for finding in found[:FULL]), *more])

@@ -26,7 +26,7 @@ from sim2reason.text.prose.voices import numeric
 
 
 def changed(scene: Scene, numbers: Mapping[str, float]) -> Scene | None:
-    """Return a scene with several numbers changed at once, by address; None if that can not be."""
+    """Return a scene with several numbers changed at once, by address; None if it is invalid."""
     try:
         entities = tuple(rebuilt(n, entity=_with(n.entity, n.name, numbers)) for n in scene.entities)
         joined = tuple(_with(c, f"{c.key}_{i}", numbers) for i, c in enumerate(scene.connections, 1))
@@ -48,7 +48,7 @@ def _with(value: Any, address: str, numbers: Mapping[str, float]) -> Any:  # noq
 
 
 def studied(scene: Scene | None, duration: float) -> Study | None:
-    """Return a scene with its motion; None if it has none."""
+    """Return a simulated scene; None if it cannot be simulated."""
     if scene is None:
         return None
     try:
@@ -58,7 +58,7 @@ def studied(scene: Scene | None, duration: float) -> Study | None:
 
 
 def spoken(scene: Scene, seed: int = 0) -> dict[str, Parameter]:
-    """Return the numbers that a text speaks as numbers, by address; what a word tells is not among them."""
+    """Return the numbers that a text states as numbers, by address, without those stated by words."""
     found: dict[str, Parameter] = {}
 
     def heard(parameter: Parameter, symbol: str) -> str:
@@ -70,7 +70,7 @@ def spoken(scene: Scene, seed: int = 0) -> dict[str, Parameter]:
 
 
 def told_by_word(scene: Scene, path: str) -> bool:
-    """Return whether a word tells a number, as *smooth* tells a friction of zero."""
+    """Return whether a word states a number, as *smooth* states zero friction."""
     owner, _, name = path.rpartition(".")
     body = scene.bodies.get(owner)
     if body is not None:
@@ -84,55 +84,55 @@ def _worded(value: Body | Part, name: str) -> bool:
     return any(word.parameter == name and held in word.special for word in value.words.values())
 
 
-IT = "it"  # what the entity is called in its scenes
+IT = "it"  # name of the entity in its scenes
 SAMPLES = 41
 TRIES = 40  # draws for one scene
-NARROW = 8  # of these, the first, in which ports are closed by what has no bodies of its own
-PATIENT = 24  # of these, draws that are given up for one in which something moves and can be asked about
-SHORT = 0.05  # of the horizon: what ends before has not moved
-STILL = 1e-6  # m, m/s or rad of anything: less is no motion
+NARROW = 8  # first draws, in which ports are closed by entities without bodies
+PATIENT = 24  # draws after which a scene without motion or questions is accepted
+SHORT = 0.05  # of the horizon: shortest certified motion
+STILL = 1e-6  # m, m/s or rad; smaller changes are no motion
 
 
 @dataclass(frozen=True)
 class Specimen:
-    """A scene with one entity of the class, called *it*; what checks share of it is worked out once."""
+    """A scene with one entity of the class, named *it*, with cached data shared by the checks."""
 
     seed: int
     scene: Scene
 
     @cached_property
     def file(self) -> str:
-        """Its scene file."""
+        """Return the text of its scene file."""
         return dump(self.scene)
 
     @cached_property
     def description(self) -> Description:
-        """Its text."""
+        """Return the text of the scene."""
         return describe(self.scene, self.seed)
 
     @cached_property
     def words(self) -> Words:
-        """Return what questions need to know of its text."""
+        """Return the context of questions from its text."""
         return words_of(self.description)
 
     @cached_property
     def study(self) -> Study:
-        """Its motion by the recorded engine; raises what that raises."""
+        """Return its motion by the recorded engine; it raises the engine's errors."""
         return Study.of(self.scene, np.linspace(0.0, self.scene.horizon, SAMPLES))
 
     @cached_property
     def targets(self) -> Targets:
-        """All that can be asked of its motion, with its words."""
+        """Return all possible targets of questions about its motion."""
         return targets(self.words)
 
     @cached_property
     def certified(self) -> tuple[Trace, Certificate]:
-        """Its motion as far as both engines vouch for it."""
+        """Return its motion up to the end of the engines' agreement, with the certificate."""
         return witnessed(self.study.trace)
 
     @cached_property
     def end(self) -> float:
-        """Until when its motion is described, s; 0 if the recorded engine refuses it."""
+        """Return the end of the certified motion, s; 0 if the engine refuses the scene."""
         try:
             return min(self.study.trace.stable_until, self.scene.horizon)
         except (SimulationError, UnsupportedError):
@@ -140,20 +140,20 @@ class Specimen:
 
     @property
     def moves(self) -> bool:
-        """Return whether it has a motion that is worth looking at."""
+        """Return whether anything in it moves enough to be checked."""
         if self.end <= SHORT * self.scene.horizon:
             return False
         state = self.study.trace.state
         return bool(max(np.abs(state.q).max(initial=0.0), np.abs(state.v).max(initial=0.0)) > STILL)
 
     def finding(self, check: str, expected: str, found: str, remedy: str) -> Finding:
-        """Something that does not hold in this scene."""
+        """Return a finding about this scene."""
         return Finding(check, expected, found, remedy, self.seed, self.file)
 
 
 @dataclass(frozen=True)
 class Specimens:
-    """Scenes of one entity class; `deep` asks checks for more than what a test at every change can afford."""
+    """The scenes of one entity class; `deep` requests more thorough, slower checks."""
 
     cls: type[Entity]
     members: tuple[Specimen, ...]
@@ -161,16 +161,16 @@ class Specimens:
 
     @property
     def moving(self) -> tuple[Specimen, ...]:
-        """Those in which something moves."""
+        """Return the scenes in which something moves."""
         return tuple(member for member in self.members if member.moves)
 
     def some(self, number: int) -> tuple[Specimen, ...]:
-        """Return the first so many of them, or all if the look is deep."""
+        """Return the first `number` scenes; all of them if `deep`."""
         return self.members if self.deep else self.members[:number]
 
 
 def specimen(cls: type[Entity], seed: int) -> Specimen:
-    """Return a random scene of an entity class, if possible one that can be asked about: the same for the same seed.
+    """Return a random scene of an entity class, if possible one that allows questions, by seed.
 
     Raises:
         DrawError: nothing that fits together was drawn within the budget; the message tells the last refusal.

@@ -1,4 +1,4 @@
-"""Mirrored and scaled scenes, and the powers by which quantities scale."""
+"""Mirrored and scaled scenes, and integrals of powers and forces over a motion."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
@@ -16,56 +16,56 @@ from sim2reason.simulation.trace import Trace
 
 
 def polar(vector: Triple) -> Triple:
-    """Return the image of a place, a velocity, a force or a direction."""
+    """Return the mirror image of a polar vector: a position, velocity, force or direction."""
     return (-vector[0], vector[1], vector[2])
 
 
 def axial(vector: Vector) -> Vector:
-    """Return the image of an axis of turning: in a mirror, what is right-handed about it turns left-handed."""
+    """Return the mirror image of an axial vector, such as an angular velocity."""
     return (vector[0], -vector[1], -vector[2])
 
 
 @dataclass(frozen=True, slots=True)
 class MirroredLaw:
-    """The image of a law of force, whatever it is: the law is asked on the other side of the mirror."""
+    """The mirror image of a force law, evaluated at mirrored positions."""
 
     law: Law
 
     def force(self, place: Triple, velocity: Triple, time: Number, maths: Maths) -> Triple:
-        """Return the image of the force at the image of the place."""
+        """Return the mirror image of the law's force at the mirrored position."""
         return polar(self.law.force(polar(place), polar(velocity), time, maths))
 
     def potential(self, place: Triple, maths: Maths) -> Number | None:
-        """Return the potential at the image of the place."""
+        """Return the potential at the mirrored position."""
         return self.law.potential(polar(place), maths)
 
     @property
     def constant(self) -> bool:
-        """As the law."""
+        """Return whether the original law is constant."""
         return self.law.constant
 
     def moved(self, by: Vector) -> "MirroredLaw":
-        """About another origin."""
+        """Return the law shifted to another origin."""
         return MirroredLaw(self.law.moved(polar(by)))
 
 
 @dataclass(frozen=True, slots=True)
 class MirroredRegion:
-    """The image of a region."""
+    """The mirror image of a region."""
 
     region: Region
 
     def margins(self, place: Triple, maths: Maths) -> tuple[Number, ...]:
-        """Return those of the image of the place."""
+        """Return the margins at the mirrored position."""
         return self.region.margins(polar(place), maths)
 
     def moved(self, by: Vector) -> "MirroredRegion":
-        """Elsewhere."""
+        """Return the region shifted by a vector."""
         return MirroredRegion(self.region.moved(polar(by)))
 
 
 def mirrored(mechanism: Mechanism) -> Mechanism:
-    """Return the mirror image: each of its coordinates goes as that of the mechanism does."""
+    """Return the mirror image of a mechanism, with the same coordinate values."""
     return replace(
         mechanism,
         bodies=tuple(map(_body, mechanism.bodies)),
@@ -104,31 +104,31 @@ def _coordinate(coordinate: Coordinate) -> Coordinate:
     return replace(coordinate, axis=axis)
 
 
-NODES = 10  # of each piece of an interval between events, for Gauss and Legendre
+NODES = 10  # Gauss-Legendre nodes in each piece of an interval between events
 HALVINGS = 12  # at most
-SETTLED = 1e-10  # of the whole: a change of less is none
-NOTHING = 1e-9  # m/s: a line whose length changes no faster does no work, whatever its tension
+SETTLED = 1e-10  # relative change at which an integral has converged
+NOTHING = 1e-9  # m/s; slower lines do no work, whatever their tension
 POINTS, WEIGHTS = np.polynomial.legendre.leggauss(NODES)
 
 
 def intervals(trace: Trace, end: float) -> list[tuple[float, float]]:
-    """Return the stretches between events, s, up to the end of what is described."""
+    """Return the intervals between events, s, up to a time."""
     times = [event.time for event in trace.events if event.changes_motion and 0.0 < event.time < end]
     return [(a, b) for a, b in pairwise([0.0, *sorted(times), end]) if b - a > 1e-9 * end]
 
 
 class Integrals(NamedTuple):
-    """Integrals over time, and those of the absolute values: what was exchanged to and fro."""
+    """Integrals over time, and those of the absolute values."""
 
     values: Array
     sizes: Array
 
 
 def integrals(trace: Trace, start: float, stop: float, integrand: Callable[[State], Array], least: float) -> Integrals:
-    """Of k functions, whose values (k, n) `integrand` gives, both (k,); NaN where a value is not known.
+    """Return the integrals of k functions, with values (k, n) from `integrand`, by Gauss-Legendre quadrature.
 
-    By Gauss and Legendre on pieces, of which those are halved, again and again, whose halves give something else.
-    What is much less than `least` is nothing.
+    Both results have the shape (k,); NaN where a value is unknown. Pieces are halved until their integrals converge.
+    Integrals much smaller than `least` count as zero.
     """
     pieces = np.array([[start, stop]])
     values, sizes = _pieces(trace, pieces, integrand)
@@ -157,7 +157,7 @@ def _pieces(trace: Trace, pieces: Array, integrand: Callable[[State], Array]) ->
 
 
 def edges(start: float, stop: float) -> Array:
-    """Return the instants just after the start and just before the stop of an interval, s."""
+    """Return the times just after the start and just before the end of an interval, s."""
     return np.array([start, stop - 1e-12 * max(stop, stop - start)])
 
 
@@ -167,7 +167,7 @@ def kinetic(state: State) -> Array:
 
 
 def powers(state: State) -> dict[str, Array]:
-    """Return the power of everything that does work, W, by what it is; NaN where the motion leaves a force open."""
+    """Return the power of each force that does work, W, by name; NaN where a force is undetermined."""
     mechanism, found = state.mechanism, dict[str, Array]()
     g = np.array(mechanism.gravity)
     for body in mechanism.bodies:
@@ -192,18 +192,18 @@ def _velocity(state: State, body: str) -> Array:
 
 
 def _working(force: Array, rate: Array) -> Array:
-    """Return a force times a rate; nothing where there is no rate, even if the force is not determined."""
+    """Return force times rate; zero where the rate is zero, even if the force is undetermined."""
     idle = np.abs(rate) <= NOTHING
     return np.where(idle, 0.0, np.where(idle, 0.0, force) * rate)
 
 
 def _rate(state: State, line: Line) -> Array:
-    """Return how fast a line's free length grows, with what wheels give out, m/s."""
+    """Return the rate of change of a line's free length, with the feed of winches, m/s."""
     return state.free_length(line)[1]
 
 
 def acting(state: State, force: Force) -> Array:
-    """Return a given force at all instants, N, (n, 3): by its law, inside its region."""
+    """Return an applied force at all times, N, (n, 3); zero outside its region."""
     center = state.frames.center(force.body)
     found = state.vector(force.law.force(center.place, center.velocity, state.times, np))
     if force.region is None:
@@ -213,7 +213,7 @@ def acting(state: State, force: Force) -> Array:
 
 
 def attractions(state: State) -> Iterator[tuple[tuple[str, str], Array]]:
-    """Yield every two bodies that attract each other, with the force on the first of them, N, (n, 3)."""
+    """Yield the pairs of attracting bodies, with the force on the first, N, (n, 3)."""
     mechanism = state.mechanism
     for pair in mechanism.attractions:
         apart = state.vector(minus(state.frames.center(pair.b).place, state.frames.center(pair.a).place))
@@ -223,7 +223,7 @@ def attractions(state: State) -> Iterator[tuple[tuple[str, str], Array]]:
 
 
 def movable(mechanism: Mechanism) -> Iterator[Coordinate]:
-    """The ways in which a body in the room slides before it turns: along each, momentum changes by the forces alone."""
+    """Yield the coordinates along which a body slides before any rotation."""
     for body in mechanism.bodies:
         if body.parent is None:
             for coordinate in body.coordinates:
@@ -233,7 +233,7 @@ def movable(mechanism: Mechanism) -> Iterator[Coordinate]:
 
 
 def carried(mechanism: Mechanism, root: str) -> set[str | None]:
-    """Return a body and all that it carries, directly or not."""
+    """Return a body with all that it carries, directly or indirectly."""
     found: set[str | None] = {root}
     for body in mechanism.bodies:
         if body.parent in found:
@@ -242,14 +242,14 @@ def carried(mechanism: Mechanism, root: str) -> set[str | None]:
 
 
 def momentum(state: State, coordinate: Coordinate) -> Array:
-    """Return the momentum of a body and all that it carries along a way of its own, kg m/s, (n,)."""
+    """Return the momentum of a body with all that it carries along a coordinate, kg m/s, (n,)."""
     names = carried(state.mechanism, coordinate.body)
     parts = [QUANTITIES["momentum"].evaluate(state, name) for name in state.mechanism.body if name in names]
     return np.sum(parts, axis=0) @ np.array(coordinate.axis)
 
 
 def push(state: State, coordinate: Coordinate) -> Array:
-    """Return all forces from outside on a body and what it carries along a way of its own, N, (n,)."""
+    """Return the external force on a body with all that it carries along a coordinate, N, (n,)."""
     mechanism, axis = state.mechanism, np.array(coordinate.axis)
     names = carried(mechanism, coordinate.body)
     mass = sum(body.mass for body in mechanism.bodies if body.name in names)

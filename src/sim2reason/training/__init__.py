@@ -1,4 +1,4 @@
-"""Training: problems as prompts, models, what they learn from, and what a run leaves on disk.
+"""Training of language models: problems as prompts, models, corpora, rewards, and files of runs.
 
 ProblemSource (settings) ↦ Problem ── PromptStream ── trainer ── Reward ↦ checkpoints, log, report
 

@@ -1,4 +1,4 @@
-"""The libraries of the extra [train], which core does without: loaded by name, when they are first needed."""
+"""Libraries of the extra [train], imported when first needed."""
 
 from importlib.metadata import PackageNotFoundError, version
 from importlib.util import find_spec
@@ -11,35 +11,35 @@ from sim2reason.evaluation.policies.parts.hub import quiet
 __all__ = ["EXTRA", "External", "is_main_process", "library", "quiet", "require", "versions", "without_cudnn_attention"]
 
 EXTRA = "train"
-APART = "vllm", "wandb"  # each in an extra of its own: few runs want it
+APART = "vllm", "wandb"  # each in an extra of its own, because few runs need it
 LIBRARIES = "sim2reason", "torch", "transformers", "trl", "accelerate", "peft"
 External = Any
 """A value of a class of such a library: their types hold only where they are installed."""
 
 
 def library(name: str) -> External:
-    """Return the module of that name; MissingExtraError, which says what to install, if it is not there."""
+    """Import and return a library; MissingExtraError, with the install command, if it is missing."""
     return optional(name, EXTRA)
 
 
 def require(*names: str) -> None:
-    """Look, before anything else is done, whether all of these are installed; MissingExtraError if one is not."""
+    """Check that all named libraries are installed; MissingExtraError if one is missing."""
     for name in names:
         if find_spec(name) is None:
             raise MissingExtraError(name, name if name in APART else EXTRA)
 
 
 def without_cudnn_attention() -> None:
-    """Keep torch from cuDNN's attention, whose gradients may be NaN on GPUs of the Hopper kind since torch 2.11.
+    """Disable cuDNN attention in torch, whose gradients may be NaN on Hopper GPUs since torch 2.11.
 
-    They are where a mask is given and 64 tokens are left beyond a multiple of 128 (pytorch issue 196678). So ended one
-    of six runs of reinforcement learning on an H200, in its second step.
+    They occur with a mask and 64 tokens beyond a multiple of 128 (pytorch issue 196678). This ended one of six runs of
+    reinforcement learning on an H200, in its second step.
     """
     library("torch").backends.cuda.enable_cudnn_sdp(enabled=False)  # a flag, with or without a GPU
 
 
 def versions() -> dict[str, str]:
-    """Return those of the libraries that decide what is trained, as far as they are installed."""
+    """Return the versions of the installed libraries that affect training."""
     found = dict[str, str]()
     for name in LIBRARIES:
         try:
@@ -50,5 +50,5 @@ def versions() -> dict[str, str]:
 
 
 def is_main_process() -> bool:
-    """Return whether this is the only process of a run, or the first of several that accelerate or torchrun started."""
+    """Return whether this is the only process of a run, or the first of several."""
     return bool(library("accelerate").PartialState().is_main_process)

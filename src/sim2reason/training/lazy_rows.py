@@ -1,4 +1,4 @@
-"""Rows for a trainer whose problems are drawn when it asks for them, mixed with stored rows of others if need be."""
+"""Rows for a trainer whose problems are generated on request, optionally mixed with stored rows."""
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
@@ -27,10 +27,10 @@ Names = str | Annotated[tuple[str, ...], MinLen(1)]
 
 
 class Rows(Protocol):
-    """Stored rows, as a list or a dataset of Hugging Face holds them."""
+    """Stored rows: a list, or a Hugging Face dataset."""
 
     def __len__(self) -> int:
-        """Return how many there are."""
+        """Return the number of rows."""
         ...
 
     def __getitem__(self, number: int, /) -> Mapping[str, Any]:
@@ -39,7 +39,7 @@ class Rows(Protocol):
 
 
 class LazySettings(Record):
-    """A YAML file that says what to draw; names mean what the options of `generate` mean."""
+    """A YAML file of settings for generation, named like the options of `generate`."""
 
     items: Annotated[int, Ge(1), Le(MOST)]
     """The number of rows, drawn and stored together."""
@@ -59,7 +59,7 @@ class LazySettings(Record):
 
     @classmethod
     def read(cls, path: Path | str) -> "LazySettings":
-        """Return what a file says; DatasetError, in one line, for what it may not say."""
+        """Read settings from a file; DatasetError, in one line, if they are invalid."""
         try:
             return cls.model_validate(settings_in(Path(path)))
         except ValidationError as error:
@@ -68,7 +68,7 @@ class LazySettings(Record):
             raise DatasetError(str(error)) from None
 
     def problems(self) -> LazyProblems:
-        """Return the problems; it raises what `generate` does."""
+        """Return the problems; it raises the errors of `generate`."""
         config = configured(
             items=self.items,
             recipe=self.recipe,
@@ -85,11 +85,11 @@ class LazySettings(Record):
 
 
 class LazyRows:
-    """The rows that a file of `LazySettings` describes, by number, in the format of an export.
+    """The rows described by a file of `LazySettings`, by number, in the format of an export.
 
-    Of any stretch of n rows, n · `share` are drawn, within one. The others are the `stored` ones, all of them in an
-    order that the seed draws, then all in another order, and so on. A row is a pure function of the file, the stored
-    rows and its number, whichever process asks for it.
+    Of any n consecutive rows, n · `share` are generated, within one. The others are the `stored` ones, all of them in
+    an order drawn by the seed, then all in another order, and so on. A row is a pure function of the file, the stored
+    rows and its number, in any process.
 
     Args:
         path: the file.
@@ -102,7 +102,7 @@ class LazyRows:
     """
 
     def __init__(self, path: Path | str, to: str, stored: Rows | Sequence[Mapping[str, Any]] = ()) -> None:
-        """Read the file, and draw nothing yet."""
+        """Read the file without generating a problem."""
         self._export: Export = EXPORTS[to]
         self._settings = LazySettings.read(path)
         self._share = Fraction(self._settings.share).limit_denominator(PARTS)
@@ -118,11 +118,11 @@ class LazyRows:
         self._order: tuple[int, np.ndarray[Any, np.dtype[np.int64]]] = (-1, np.zeros(0, np.int64))
 
     def __len__(self) -> int:
-        """Return how many rows there are."""
+        """Return the number of rows."""
         return self._settings.items
 
     def __getitem__(self, number: int) -> dict[str, Any]:
-        """Return a row; IndexError beyond their number, DrawError where no problem is found."""
+        """Return a row; IndexError beyond the last, DrawError if no problem is found."""
         if not 0 <= number < len(self):
             raise IndexError(f"row {number} of {len(self)}")
         drawn = number * self._share.numerator // self._share.denominator

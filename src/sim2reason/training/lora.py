@@ -1,4 +1,4 @@
-"""Low-rank adapters: small matrices that are trained in place of a model's own (Hu et al., LoRA, 2021)."""
+"""Low-rank adapters: small matrices trained in place of a model's own (Hu et al., LoRA, 2021)."""
 
 from typing import Annotated, Literal
 
@@ -11,7 +11,7 @@ __all__ = ["Lora"]
 
 
 class Lora(BaseModel):
-    """Settings of adapters."""
+    """Settings of low-rank adapters."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
@@ -24,7 +24,7 @@ class Lora(BaseModel):
 
     @property
     def config(self) -> External:
-        """The same for peft; MissingExtraError if it is not installed."""
+        """Return the settings as a peft configuration; MissingExtraError if it is not installed."""
         targets = self.targets if isinstance(self.targets, str) else list(self.targets)
         return library("peft").LoraConfig(
             r=self.rank,

@@ -1,4 +1,4 @@
-"""Muon for the matrices inside a transformer, AdamW for all else, as one optimizer that trainers take and save.
+"""Muon for the hidden matrices of a transformer and AdamW for the rest, as one optimizer.
 
 Jordan et al., Muon: An optimizer for hidden layers in neural networks (2024); Loshchilov and Hutter, Decoupled weight
 decay regularization (2019).
@@ -23,11 +23,11 @@ def muon_with_adamw(
     learning_rate: float,
     weight_decay: float = 0.0,
 ) -> External:
-    """Return an optimizer of all parameters of a model that are trained.
+    """Return an optimizer of all trainable parameters of a model.
 
-    Muon has the matrices of hidden layers, at `muon_learning_rate`. AdamW has embeddings, the last layer, and what is
-    no matrix, at `learning_rate`; vectors, such as those of normalisation, do not decay. A step of Muon has a norm of
-    its own, so that its rate hangs neither on the loss nor on a clip of the gradient.
+    Muon updates the matrices of hidden layers, at `muon_learning_rate`. AdamW updates embeddings, the last layer, and
+    all vectors, at `learning_rate`; vectors, such as those of normalisation, have no weight decay. A step of Muon has a
+    fixed norm, so that its rate depends neither on the loss nor on gradient clipping.
     """
     outer = {
         id(held)
@@ -48,7 +48,7 @@ def muon_with_adamw(
 
 @cache
 def _together() -> External:
-    """Return the class, made when torch is there."""
+    """Return the optimizer class, defined once torch is imported."""
     torch = library("torch")
 
     class Together(torch.optim.Optimizer):

@@ -1,4 +1,4 @@
-"""Problems made in other processes before they are asked for, so that no step waits for them."""
+"""Problems generated ahead of time in other processes, so that no step waits for them."""
 
 import os
 import time
@@ -20,20 +20,20 @@ Made = tuple[Problem | None, float]
 
 
 class Prefetcher:
-    """A store of problems that will be asked for; what is not there yet is waited for, what is not ordered is made.
+    """A cache of problems generated ahead; missing ones are awaited or generated on request.
 
-    It changes when problems are made, never which: they are pure functions of their coordinates.
+    It affects only when problems are generated; they are pure functions of their coordinates.
     """
 
     def __init__(self, pool: ProcessPoolExecutor | None, depth: int) -> None:
-        """`depth` is how many problems of each cell are ordered before they are asked for."""
+        """Store the pool and `depth`, the number of problems of each cell generated ahead."""
         self._pool, self._depth = pool, depth
         self._ordered: dict[Key, Future[Made]] = {}
         self.cpu_seconds = 0.0
         """That other processes have spent on problems so far, asked for or not."""
 
     def at(self, source: ProblemSource, cell: str, index: int) -> Problem | None:
-        """Return the problem, and an order for those after it."""
+        """Return a problem, and request the following ones."""
         self.order(source, cell, index)
         found = self._ordered.pop((source.name, cell, index), None)
         if found is not None:
@@ -45,7 +45,7 @@ class Prefetcher:
         return source.at(cell, index)
 
     def order(self, source: ProblemSource, cell: str, start: int) -> None:
-        """Have problems made from `start` on."""
+        """Request the problems from `start` on."""
         if self._pool is None:
             return
         try:
@@ -59,14 +59,14 @@ class Prefetcher:
             self._ordered.clear()
 
     def _count(self, done: "Future[Made]") -> None:
-        """Called by the one thread that hears of results."""
+        """Add the time of a finished problem; only one thread calls this."""
         if not done.cancelled() and done.exception() is None:
             self.cpu_seconds += done.result()[1]
 
 
 @contextmanager
 def prefetching(workers: int, depth: int) -> Generator[Prefetcher]:
-    """Return a store whose problems so many processes make; none: each is made when it is asked for."""
+    """Return a context with a prefetcher with `workers` processes; without any, problems are made on request."""
     if not workers:
         yield Prefetcher(None, depth)
         return
@@ -78,7 +78,7 @@ def prefetching(workers: int, depth: int) -> Generator[Prefetcher]:
 
 
 def begin_worker() -> None:
-    """One thread each, and the trainer comes first; without it there is nothing to do."""
+    """Limit a worker to one thread and low priority, and stop it with its parent."""
     end_with_parent()
     os.environ["OMP_NUM_THREADS"] = "1"
     os.nice(5)

@@ -1,4 +1,4 @@
-"""A problem as a trainer has it: the prompt, what a reward must know, and where it comes from."""
+"""Problems for trainers: prompt, data for the reward, and origin."""
 
 from typing import Any
 
@@ -10,7 +10,7 @@ __all__ = ["Problem"]
 
 
 class Problem(BaseModel):
-    """A prompt with its answer and its rule of scoring, where it comes from, and where a curriculum counts it."""
+    """A prompt with its answer and scoring rule, its origin, and its cell in the curriculum."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
@@ -22,6 +22,6 @@ class Problem(BaseModel):
     """What the same problem of the same numbers has, too, in whatever words; empty where it is not known."""
 
     def row(self, *, chat: bool) -> dict[str, Any]:
-        """As trainers take it; with `chat` the prompt is a list of messages."""
+        """Return the problem as a row for trainers; with `chat` the prompt is a list of messages."""
         prompt: Any = [{"role": "user", "content": self.item.prompt}] if chat else self.item.prompt
         return {"prompt": prompt, "problem": self.model_dump_json()}

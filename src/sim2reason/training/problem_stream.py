@@ -15,14 +15,14 @@ from sim2reason.training.sources import ProblemSource
 
 __all__ = ["Curriculum", "ProblemStream", "StreamState"]
 
-UNKNOWN = 0.5  # the pass rate of what has not been tried
+UNKNOWN = 0.5  # pass rate of an untried cell
 
 
 class Curriculum(BaseModel):
-    """How cells are weighed by their measured pass rates.
+    """The weights of cells from their measured pass rates.
 
-    A cell of pass rate p has the weight `floor` + 4 p (1 − p): the variance of its rewards, on which the gradient of a
-    group-relative advantage rests, and a floor so that no cell is given up.
+    A cell of pass rate p has the weight `floor` + 4 p (1 − p): the variance of its rewards, which scales the gradient
+    of a group-relative advantage, and a floor so that no cell is abandoned.
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
@@ -32,21 +32,21 @@ class Curriculum(BaseModel):
     """How much of an average over groups stays when another group of the cell is seen."""
 
     def weight(self, rate: float | None) -> float:
-        """Of a cell with a pass rate, None for one that has not been tried."""
+        """Return the weight of a cell with a pass rate; None for an untried one."""
         p = UNKNOWN if rate is None else rate
         return self.floor + 4.0 * p * (1.0 - p)
 
     def after(self, rate: float | None, seen: float) -> float:
-        """Return the pass rate of a cell after a group in which the share `seen` was right."""
+        """Return the pass rate of a cell after a group with the fraction `seen` of correct responses."""
         before = UNKNOWN if rate is None else rate
         return self.memory * before + (1.0 - self.memory) * seen
 
 
-EMPTY = 200  # requests of one cell in a row that no draw fills, after which none is expected to
+EMPTY = 200  # failed requests of a cell in a row after which it counts as empty
 
 
 class StreamState(BaseModel):
-    """The place of a stream; with the configuration and what is observed later it decides all that follows."""
+    """The state of a stream, from which it continues identically with the same configuration."""
 
     model_config = ConfigDict(extra="forbid")
 
@@ -64,8 +64,8 @@ class StreamState(BaseModel):
 class ProblemStream:
     """Prompts from several sources by weight, and from their cells by the curriculum.
 
-    The cell with the largest deficit comes next, so that shares hold in any stretch; nothing is drawn at random,
-    and what was prefetched makes no difference.
+    The cell with the largest deficit comes next, so that all proportions hold in any interval; nothing is random, and
+    prefetching does not affect the result.
     """
 
     sources: Sequence[ProblemSource]
@@ -78,7 +78,7 @@ class ProblemStream:
     """Whether prompts are messages, for a model that has a chat template."""
 
     def __post_init__(self) -> None:
-        """TrainingError if two sources have one name."""
+        """Raise TrainingError if two sources have the same name."""
         names = [source.name for source in self.sources]
         if twice := sorted({name for name in names if names.count(name) > 1}):
             raise TrainingError(f"problems: the name {twice[0]!r} stands twice; give each source its own")
@@ -88,21 +88,21 @@ class ProblemStream:
 
     @property
     def cpu_seconds(self) -> float:
-        """That other processes have spent on its problems so far."""
+        """Return the CPU time that other processes have spent on problems so far."""
         return self.prefetcher.cpu_seconds
 
     def begin(self) -> None:
-        """Order the first problems, before they are asked for."""
+        """Request the first problems ahead of time."""
         for key, (source, cell) in self._cells.items():
             self.prefetcher.order(source, cell, self.cursor.next.get(key, 0))
 
     def probe(self) -> None:
-        """Draw a problem of each cell, and leave the place as it is; TrainingError if one gives nothing."""
+        """Generate a problem of each cell without changing the state; TrainingError if one is empty."""
         for key in self._cells:
             self._at_or_after(key, self.cursor.next.get(key, 0))
 
     def next_prompts(self, count: int) -> list[dict[str, Any]]:
-        """Return the next prompts, as rows that a trainer takes.
+        """Return the next prompts as rows for a trainer.
 
         Raises:
             TrainingError: a cell whose requests no draw fills.
@@ -110,22 +110,22 @@ class ProblemStream:
         return [problem.row(chat=self.chat) for problem in self.problems(count)]
 
     def problems(self, count: int) -> list[Problem]:
-        """Return the same, as problems."""
+        """Return the next `count` problems."""
         return [self._next() for _ in range(count)]
 
     def observe(self, row: Mapping[str, Any], rewards: Sequence[float]) -> None:
-        """Tell the rewards of a group, for the curriculum."""
+        """Update the curriculum with the rewards of a group."""
         problem = Problem.model_validate_json(row["problem"])
         key, rates = f"{problem.source}/{problem.cell}", self.cursor.rates
         passed = sum(reward >= 1.0 for reward in rewards) / max(len(rewards), 1)
         rates[key] = (self.curriculum or Curriculum()).after(rates.get(key), passed)
 
     def state(self) -> JsonValue:
-        """Return the place after the last prompt."""
+        """Return the state after the last prompt."""
         return self.cursor.model_dump(mode="json")
 
     def restore(self, state: JsonValue) -> None:
-        """Go to a place; TrainingError if it is none, or one of other sources."""
+        """Restore a state; TrainingError if it is invalid, or belongs to other sources."""
         try:
             cursor = StreamState.model_validate(state)
         except ValidationError as error:
@@ -159,7 +159,7 @@ class ProblemStream:
         return found
 
     def _at_or_after(self, key: str, start: int) -> tuple[int, Problem]:
-        """Return the first problem of a cell from an index on, and its own."""
+        """Return the first problem of a cell from an index on, with its index."""
         source, cell = self._cells[key]
         for index in range(start, start + EMPTY):
             found = self.prefetcher.at(source, cell, index)

@@ -1,4 +1,4 @@
-"""The same work in several processes on this machine, which find each other as those that torchrun starts do."""
+"""Parallel execution in several processes on this machine, connected as by torchrun."""
 
 # torch is an extra:
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
@@ -19,7 +19,7 @@ from sim2reason.training.extras import External, library
 
 __all__ = ["Advance", "Begun", "in_processes", "launched"]
 
-LAST_WORDS = 2.0  # seconds that the first process has to say why, when another has ended
+LAST_WORDS = 2.0  # seconds for the first process to report an error after another has ended
 T = TypeVar("T")
 Begun: TypeAlias = Callable[[str, int], object]
 Advance: TypeAlias = Callable[[int], object]
@@ -29,12 +29,12 @@ Told: TypeAlias = tuple[str, int] | int | Sim2ReasonError
 
 
 def launched() -> bool:
-    """Return whether this is one of several processes already, which we, accelerate or torchrun started."""
+    """Return whether this is already one of several processes, started by torchrun or similar."""
     return "WORLD_SIZE" in os.environ
 
 
 def in_processes(count: int, work: Work[T], given: T, begun: Begun, advance: Advance) -> None:
-    """Do `work(given, begun, advance)` in `count` processes at once; all have to be importable.
+    """Run `work(given, begun, advance)` in `count` processes; all arguments must be importable.
 
     Raises:
         Sim2ReasonError: what it raises in the first process.
@@ -66,7 +66,7 @@ def in_processes(count: int, work: Work[T], given: T, begun: Begun, advance: Adv
 
 
 def _followed(pipe: External, ranks: list[External], begun: Begun, advance: Advance) -> Sim2ReasonError | None:
-    """Pass on what the first process says, until all have ended or one has failed; its error, if it has told one."""
+    """Forward the first process's reports until all end or one fails; return its error, if any."""
     fault, silent = None, False
     while fault is None:
         codes = [process.exitcode for process in ranks]  # one look: who ends after it wakes us by its sentinel
@@ -84,7 +84,7 @@ def _followed(pipe: External, ranks: list[External], begun: Begun, advance: Adva
 
 
 def _heard(pipe: External, begun: Begun, advance: Advance) -> tuple[Sim2ReasonError | None, bool]:
-    """Pass on one thing that is said; the error that it is, and whether there is nobody left to say anything."""
+    """Forward one report; return an error if it is one, and whether the pipe is closed."""
     try:
         told: Told = pipe.recv()
     except EOFError:
@@ -106,7 +106,7 @@ def _free_port() -> int:
 
 
 def _rank(rank: int, count: int, port: int, pipe: External, work: Work[T], given: T) -> None:
-    """One of the processes."""
+    """Run the work in one of the processes."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent is interrupted, and ends this
     end_with_parent()
     names = {"RANK": rank, "LOCAL_RANK": rank, "WORLD_SIZE": count, "LOCAL_WORLD_SIZE": count, "MASTER_PORT": port}

@@ -1,4 +1,4 @@
-"""What every run of training leaves beside its model: what decides it, written first, and what came of it, last."""
+"""Records of a training run: its plan, written first, and its result, written last."""
 
 import json
 import shutil
@@ -21,7 +21,7 @@ R = TypeVar("R", bound=Record)
 
 
 class TrainingPlan(Record):
-    """The first file of a run."""
+    """The plan of a run, its first file."""
 
     settings: dict[str, JsonValue]
     """Those that decide the weights."""
@@ -32,10 +32,10 @@ class TrainingPlan(Record):
 def claim(
     file: Path, decisive: Mapping[str, object], check: Callable[[], object], prepared: Sequence[Path] = ()
 ) -> None:
-    """Write the plan into an empty folder, or go on with the same one; the caller holds the lock.
+    """Write the plan into an empty folder, or continue with an equal one; the caller holds the lock.
 
-    `check` raises where the run could not begin; so it claims no folder. A plan from which nothing was trained is
-    replaced: `prepared` are the files and folders that come before training, and they go with it.
+    `check` raises an error if the run could not start, before the folder is claimed. A plan without any training is
+    replaced, together with `prepared`, the files and folders that come before training.
 
     Raises:
         TrainingError: the folder holds something else, or a run of another configuration.
@@ -59,7 +59,7 @@ def claim(
 
 
 def _difference(file: Path, settings: Mapping[str, JsonValue]) -> str:
-    """Return the first setting that a plan has otherwise; empty if there is none."""
+    """Return the first setting that differs from a plan; empty if none."""
     try:
         before = TrainingPlan.model_validate_json(file.read_bytes()).settings
     except ValidationError:
@@ -77,7 +77,7 @@ def _first(one: Mapping[str, JsonValue], other: Mapping[str, JsonValue]) -> str:
 
 
 def _only(folder: Path, known: AbstractSet[Path]) -> bool:
-    """Return whether all that a folder holds is one of these, lies in one, or is what a kill left of writing one."""
+    """Return whether a folder contains only known paths and remains of interrupted writes."""
     held = (path for path in folder.rglob("*") if not path.is_dir() and path.suffix != TEMPORARY)
     return all(known & {path, *path.parents} for path in held)
 
@@ -90,7 +90,7 @@ def _remove(path: Path) -> None:
 
 
 def result_in(folder: Path, kind: type[R]) -> R | None:
-    """Return what came of a run; None if it is not finished, TrainingError if the file is damaged."""
+    """Return the result of a run; None if unfinished, TrainingError if the file is damaged."""
     file = folder / RESULT
     if not file.is_file():
         return None
@@ -101,5 +101,5 @@ def result_in(folder: Path, kind: type[R]) -> R | None:
 
 
 def finish(folder: Path, result: Record) -> None:
-    """Write what came of a run; everything else is on disk by then."""
+    """Write the result of a run, after all other files."""
     put_text(folder / RESULT, canonical(result.model_dump(mode="json")), folder)

@@ -1,4 +1,4 @@
-"""Rejection sampling: the responses of a policy that the grader pays for, as solutions to learn from.
+"""Rejection sampling: correct responses of a policy as solutions for fine-tuning.
 
     OUT/solutions.jsonl   each solution that is kept: id, prompt, completion, and which try it was
     OUT/sampled.json      what was asked of whom, how all tries ended, and hashes; written last
@@ -81,9 +81,8 @@ def sample_solutions(  # noqa: PLR0913 - what the command takes
 ) -> Sampled:
     r"""Ask a policy to solve the problems of a dataset, and keep its right responses to learn from.
 
-    A response is kept if it earns the whole reward, ends of its own accord, and repeats no other. Responses of an
-    earlier call with the same folder are reused: with more tries, another `keep`, further splits, or after an
-    interruption.
+    A response is kept if it earns the full reward, is not truncated, and repeats no other. Responses of an earlier call
+    with the same folder are reused: with more tries, another `keep`, further splits, or after an interruption.
 
     Args:
         dataset: A dataset, or the folder that `generate` has finished.
@@ -176,7 +175,7 @@ def _kept(
 
 
 def _why_not(item: Item, said: Completion, seen: set[str], keep: int) -> str:
-    """Return why a response is not kept as a solution; empty if it is kept."""
+    """Return the reason why a response is not kept as a solution; empty if it is kept."""
     asked_for = benchmark_item(item)
     ending = ending_of(said, SCORINGS[asked_for.scoring].award(said.whole, asked_for.reference))
     if ending is not Ending.CORRECT:

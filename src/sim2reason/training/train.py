@@ -1,4 +1,4 @@
-"""Training by the name of a method, as the command line has them."""
+"""Training by the name of a method, as on the command line."""
 
 from collections.abc import Callable, Mapping
 from importlib import import_module

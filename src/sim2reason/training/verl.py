@@ -1,4 +1,4 @@
-"""verl's dataset with problems that are drawn when it asks for them; verl loads it, in its own environment.
+"""A verl dataset whose problems are generated on request; verl loads it in its own environment.
 
 In verl's configuration: ``data.custom_cls.path=pkg://sim2reason.training.verl data.custom_cls.name=LazyDataset``.
 """
@@ -15,10 +15,10 @@ _verl: Any = import_module("verl.utils.dataset.rl_dataset")
 
 
 class LazyDataset(_verl.RLHFDataset):
-    """A YAML file of `LazySettings` among `data.train_files` is drawn from; Parquet files are read as verl reads them.
+    """A verl dataset that generates problems for YAML files of `LazySettings`, and reads Parquet as verl does.
 
-    Parquet files beside a YAML file are mixed in by its `share`. Without one this is verl's `RLHFDataset`, as for
-    validation, since verl makes both datasets of one class.
+    Parquet files beside a YAML file are mixed in by its `share`. Without a YAML file this is verl's `RLHFDataset`, as
+    for validation, since verl uses one class for both datasets.
     """
 
     data_files: list[str]
@@ -26,7 +26,7 @@ class LazyDataset(_verl.RLHFDataset):
     max_samples: int
 
     def _read_files_and_tokenize(self) -> None:
-        """What verl calls when the dataset is made or resumed; `dataframe` is where its rows are taken from."""
+        """Set `dataframe`, the source of rows, when verl creates or resumes the dataset."""
         files = self.data_files
         described = [path for path in files if path.endswith((".yaml", ".yml"))]
         if len(described) > 1:
@@ -40,10 +40,10 @@ class LazyDataset(_verl.RLHFDataset):
             self.dataframe = LazyRows(described[0], "verl", self.dataframe)
 
     def __len__(self) -> int:
-        """As many as there are, or as `data.train_max_samples` allows."""
+        """Return the number of rows, limited by `data.train_max_samples`."""
         count = len(self.dataframe)
         return min(count, self.max_samples) if self.max_samples > 0 else count
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return all of it, so that a process that is not forked has the rows too; verl's own leaves them out."""
+        """Return the complete state, since verl's own omits the rows in processes that are not forked."""
         return dict(self.__dict__)

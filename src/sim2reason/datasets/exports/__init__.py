@@ -1,4 +1,4 @@
-"""Exports: datasets in the formats of libraries for training and evaluation, a module for each."""
+"""Exports: datasets in the formats of libraries for training and evaluation, one module each."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
@@ -15,18 +15,18 @@ Column = type[str] | type[int] | type[float] | list["Column"] | dict[str, "Colum
 
 
 class Place(NamedTuple):
-    """Where a row stands: in the file of which split, and how many rows are before it."""
+    """The position of a row: the file of its split, and the number of earlier rows."""
 
     split: str
     number: int
 
 
 class Export(ABC):
-    """Format in which a library for training or evaluation reads problems.
+    """A format in which a library for training or evaluation reads problems.
 
-    The folder that is written holds a file of rows for each split, and a copy of all in `files`: Python as it is,
-    other texts with ``{training}`` and ``{split}`` (the splits to train and to evaluate on), ``{splits}`` (a list of
-    all with their rows), ``{license}`` (that of the data), ``{repository}`` (what pip installs this library by) and
+    The output folder contains a file of rows for each split, and a copy of all files in `files`: Python unchanged,
+    other texts with ``{training}`` and ``{split}`` (the splits for training and evaluation), ``{splits}`` (a list of
+    all with their rows), ``{license}`` (of the data), ``{repository}`` (the pip requirement of this library) and
     ``{source}`` filled in.
 
     Class data:
@@ -47,20 +47,20 @@ class Export(ABC):
 
     @abstractmethod
     def row(self, item: Item, place: Place) -> Row | None:
-        """Return what a file says of an item; None to leave it out."""
+        """Return the row of an item; None to omit it."""
 
     def license(self, name: str) -> str:
-        """Return the export's name for the licence that the Hugging Face Hub calls `name`."""
+        """Return the export's name for a licence, given by its name on the Hugging Face Hub."""
         return name
 
     @property
     def folder(self) -> Path:
-        """Return where the files lie that are copied beside the data."""
+        """Return the folder of the files that are copied beside the data."""
         return self.files or FILES / self.name
 
 
 def check_data(name: str, member: object) -> None:
-    """Refuse an export all of whose splits would go to one file, with ValueError."""
+    """Raise ValueError for an export that would write all splits to one file."""
     if "{split}" not in getattr(member, "data", ""):
         raise ValueError(f"exports: {name!r} writes all splits to one file; say {{split}} in its `data`")
 
@@ -70,6 +70,6 @@ EXPORTS: Registry[Export] = Registry("exports", check_data, package="sim2reason.
 
 
 def target(cls: type[E]) -> type[E]:
-    """Enter an export under its name."""
+    """Register an export class under its name."""
     EXPORTS.add(cls.name, cls())
     return cls

@@ -1,4 +1,4 @@
-"""Hugging Face `datasets`, and TRL above it."""
+"""Export for Hugging Face `datasets` and TRL."""
 
 from collections.abc import Mapping
 from typing import ClassVar

@@ -1,4 +1,4 @@
-"""Inspect, the evaluation framework of the UK AI Security Institute."""
+"""Export for Inspect, the evaluation framework of the UK AI Security Institute."""
 
 from sim2reason.datasets.exports import Export, Place, Row, target
 from sim2reason.datasets.exports.parts.messages import facts
@@ -14,7 +14,7 @@ class InspectTask(Export):
     also = ("inspect-ai", "inspect_evals")
 
     def row(self, item: Item, place: Place) -> Row:
-        """Return the sample of an item; the target is for people, and the scorer reads the ground truth."""
+        """Return the sample of an item; its target is for readers, the scorer uses the ground truth."""
         del place
         told = {"ground_truth": ground_truth(item), **facts(item)}
         return {"id": item.id, "input": item.prompt, "target": item.answer.told, "metadata": told}

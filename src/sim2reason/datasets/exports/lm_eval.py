@@ -1,4 +1,4 @@
-"""EleutherAI's evaluation harness, lm-eval."""
+"""Export for EleutherAI's evaluation harness, lm-eval."""
 
 from sim2reason.datasets.exports import Export, Place, Row, target
 from sim2reason.datasets.exports.parts.messages import facts

@@ -1,4 +1,4 @@
-"""Multiple choice: the right answer among wrong ones that a slip leads to."""
+"""Export of multiple-choice items: the correct answer among distractors."""
 
 from sim2reason.datasets.exports import Export, Place, Row, target
 from sim2reason.datasets.exports.parts.messages import asked, facts
@@ -11,14 +11,14 @@ from sim2reason.questions.parse_prompt import without_form
 
 @target
 class MultipleChoice(Export):
-    """Multiple choice: up to five options, wrong ones with the slip behind each; for any library, and lm-eval."""
+    """Multiple choice: up to five options, distractors with their misconceptions; for any library, and lm-eval."""
 
     name = "multiple-choice"
     also = ("choice", "mcq")
     lacks = LACKS
 
     def row(self, item: Item, place: Place) -> Row | None:
-        """Return the question, its options in an order that hangs on the item's id alone, and which one is right."""
+        """Return the question, its options in an order that depends only on the item's id, and the correct one."""
         del place
         chosen = options_of(item)
         if chosen is None:
@@ -40,7 +40,7 @@ class MultipleChoice(Export):
 
 
 def _prompt(item: Item, numbers: list[float]) -> ChoicePrompt:
-    """Return the prompt of the item, if it is a multiple choice by itself, else that with its options."""
+    """Return the prompt of a multiple-choice item, or the prompt of another item with options added."""
     if item.answer.letter:
         return ChoicePrompt.read(item.prompt)
     return ChoicePrompt.of(without_form(item.prompt)[0], numbers, item.answer.unit)

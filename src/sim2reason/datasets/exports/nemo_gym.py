@@ -1,4 +1,4 @@
-"""NVIDIA's NeMo Gym."""
+"""Export for NVIDIA's NeMo Gym."""
 
 from sim2reason.datasets.exports import Export, Place, Row, target
 from sim2reason.datasets.exports.parts.messages import asked, facts
@@ -17,7 +17,7 @@ LICENSES = {
 
 @target
 class NemoGym(Export):
-    """NeMo Gym: JSON lines and a resources server that verifies."""
+    """NeMo Gym: JSON lines and a resources server that verifies responses."""
 
     name = "nemo-gym"
     also = ("nemo_gym", "nemo")
@@ -28,7 +28,7 @@ class NemoGym(Export):
         return LICENSES.get(name, "TBD")
 
     def row(self, item: Item, place: Place) -> Row:
-        """Return what a model is asked, and beside it what the server is handed to verify by."""
+        """Return the input of the model, with the data that the server needs to verify a response."""
         del place
         return {
             "responses_create_params": {"input": asked(item.prompt)},

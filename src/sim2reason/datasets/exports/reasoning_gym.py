@@ -1,4 +1,4 @@
-"""Reasoning Gym."""
+"""Export for Reasoning Gym."""
 
 from sim2reason.datasets.exports import Export, Place, Row, target
 from sim2reason.datasets.exports.parts.messages import facts
@@ -14,7 +14,7 @@ class ReasoningGym(Export):
     also = ("reasoning_gym",)
 
     def row(self, item: Item, place: Place) -> Row:
-        """Return a question with an answer that passes, and what it is graded by."""
+        """Return a question with a correct answer and the data for grading."""
         del place
         told = {"id": item.id, "ground_truth": ground_truth(item), **facts(item)}
         return {"question": item.prompt, "answer": answered(item), "metadata": told}

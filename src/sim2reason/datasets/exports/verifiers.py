@@ -1,4 +1,4 @@
-"""Prime Intellect's verifiers, whose environments prime-rl trains in."""
+"""Export for Prime Intellect's verifiers, used by prime-rl."""
 
 from sim2reason.datasets.exports import Export, Place, Row, target
 from sim2reason.datasets.exports.parts.messages import facts
@@ -8,14 +8,14 @@ from sim2reason.generation.item import Item
 
 @target
 class VerifiersTaskset(Export):
-    """verifiers: a v1 taskset, as a package to be installed."""
+    """verifiers: a v1 taskset as an installable package."""
 
     name = "verifiers"
     also = ("prime-rl", "prime")
     data = "sim2reason_problems/data/{split}.jsonl"
 
     def row(self, item: Item, place: Place) -> Row:
-        """Return the data of a task."""
+        """Return the task data of an item."""
         del place
         told = {"answer": answered(item), "ground_truth": ground_truth(item), **facts(item)}
         return {"id": item.id, "prompt": item.prompt, **told}

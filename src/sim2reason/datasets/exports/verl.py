@@ -1,4 +1,4 @@
-"""verl's trainer."""
+"""Export for the trainer verl."""
 
 from collections.abc import Mapping
 from typing import ClassVar
@@ -11,7 +11,7 @@ from sim2reason.generation.item import Item
 
 @target
 class Verl(Export):
-    """verl: Parquet with its columns, and a file with compute_score."""
+    """verl: Parquet files, and a Python file with compute_score."""
 
     name = "verl"
     data = "{split}.parquet"
@@ -32,7 +32,7 @@ class Verl(Export):
     }
 
     def row(self, item: Item, place: Place) -> Row:
-        """Return a row; scores of validation are averaged by `data_source`, and the index names the row."""
+        """Return the row of an item; verl averages validation scores by `data_source`."""
         return {
             "data_source": "sim2reason",
             "prompt": asked(item.prompt),

@@ -1,6 +1,6 @@
-"""Where the work is done: on this machine or elsewhere. Each place is one module, found by its name.
+"""Executors that make items, on this machine or elsewhere; each is one module, found by its name.
 
-A place makes items and gives them back; it never sees the folder that they are written to, so nothing is shared.
+An executor makes items and returns them; it never accesses the output folder, so nothing is shared.
 """
 
 from collections.abc import Callable, Generator
@@ -20,7 +20,7 @@ PATIENCE = 120.0
 
 @dataclass(frozen=True, slots=True)
 class Crew:
-    """Who shall work."""
+    """The settings of the workers: maker, number and timeout."""
 
     maker: str
     workers: int | None = None
@@ -45,6 +45,6 @@ PLACES: Registry[Place] = Registry("datasets.places")
 
 
 def opened(name: str, crew: Callable[[str], Crew]) -> AbstractContextManager[Run]:
-    """The place called ``NAME`` or ``NAME://ADDRESS``, with the crew for that address; UnknownNameError if none is."""
+    """Return the executor called ``NAME`` or ``NAME://ADDRESS``; UnknownNameError if there is none."""
     place, _, address = name.partition("://")
     return PLACES[place](crew(address))

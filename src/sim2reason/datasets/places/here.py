@@ -1,7 +1,7 @@
-"""Worker processes on this machine that can be killed one by one.
+"""Worker processes on this machine, each with its own pipe, so that one can be killed without the others.
 
-One pipe per worker and no lock between them: a worker that crashes, hangs or is killed takes only its own
-batch with it. (`concurrent.futures` loses the whole pool to one crash.) One worker alone is this process itself.
+There is one pipe per worker and no lock between them: a worker that crashes, hangs or is killed loses only its own
+batch. (`concurrent.futures` loses the whole pool in a crash.) A single worker is this process itself.
 """
 
 import os
@@ -22,7 +22,7 @@ from sim2reason.errors import DatasetError
 from sim2reason.generation.request import load_maker
 
 PROGRAM = "__main__"
-STARTING = 60.0  # s: a worker may take so long to begin on a busy machine, whatever a batch may take
+STARTING = 60.0  # s, longest start of a worker, whatever the timeout of a batch
 
 
 @dataclass
@@ -51,7 +51,7 @@ class _Worker:
             self.pipe.send(batch)
 
     def reply(self) -> Reply | None:
-        """Return what has become of the batch; None if nothing yet. DatasetError if no worker can work."""
+        """Return the result of the batch; None if it is unfinished. DatasetError if no worker can work."""
         if self.pipe.poll():
             return self._take()
         return self._lost("hung its worker") if time.monotonic() >= self.deadline else None
@@ -83,7 +83,7 @@ class _Worker:
 @PLACES.register(HERE)
 @contextmanager
 def here(crew: Crew) -> Generator[Run, None, None]:
-    """Work on this machine; DatasetError for an address, or for workers that would lack the program's own members."""
+    """Run on this machine; DatasetError for an address, or if workers would lack the program's own members."""
     if crew.address:
         raise DatasetError(f"--on {HERE}://{crew.address}: this machine needs no address; say --on {HERE}")
     if _workers(crew) == 1:
@@ -93,7 +93,7 @@ def here(crew: Crew) -> Generator[Run, None, None]:
 
 
 def _workers(crew: Crew) -> int | None:
-    """Return the number of workers asked for; 1 if the caller's program registers members, which no worker has."""
+    """Return the requested number of workers; 1 if the caller's program registers members."""
     own = further_members().get(PROGRAM, ())
     if own and (crew.workers or 1) > 1:
         raise DatasetError(
@@ -104,9 +104,9 @@ def _workers(crew: Crew) -> int | None:
 
 
 def alone(source: Source, maker: str) -> Generator[tuple[Batch, Reply], None, None]:
-    """Yield each batch from `source` with its reply, made in this process; a crash or hang takes the process down.
+    """Yield each batch from `source` with its result, computed in this process without protection from crashes.
 
-    DatasetError if the maker can't be imported.
+    DatasetError if the maker cannot be imported.
     """
     make = load_maker(maker)
     while (batch := source()) is not None:
@@ -114,15 +114,15 @@ def alone(source: Source, maker: str) -> Generator[tuple[Batch, Reply], None, No
 
 
 def cores() -> int:
-    """Return how many cores this process may use."""
+    """Return the number of cores available to this process."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def run(source: Source, maker: str, workers: int, patience: float) -> Generator[tuple[Batch, Reply], None, None]:
-    """Have `workers` processes work on what `source` gives, and give each batch back with its reply.
+    """Yield the batches of `source` with their results, computed by `workers` processes.
 
-    A batch that takes longer than `patience` (s) is hung: its worker is killed. DatasetError if the maker can't be
-    imported or no process begins. However the generator ends, no worker stays.
+    The worker of a batch that takes longer than `patience` (s) is killed. DatasetError if the maker cannot be imported
+    or no process starts. No worker outlives the generator.
     """
     crew: list[_Worker] = []
     try:
@@ -148,7 +148,7 @@ def run(source: Source, maker: str, workers: int, patience: float) -> Generator[
 
 
 def _employ(crew: list[_Worker], source: Source, workers: int, start: Callable[[], _Worker]) -> None:
-    """Give every idle worker a batch, and start new workers for more."""
+    """Give every idle worker a batch, and start further workers if needed."""
     idle = [worker for worker in crew if worker.batch is None]
     while idle or len(crew) < workers:
         batch = source()

@@ -1,7 +1,7 @@
-"""On a cluster of Ray: batches are its tasks, which it gives to other workers when theirs die.
+"""Execution on a Ray cluster: batches are tasks, which Ray restarts when workers die.
 
-Workers send items back and see no file of ours. Each machine of the cluster needs the same packages as this one, since
-their versions decide the bytes.
+Workers return items and access no files of this machine. Each machine of the cluster needs the same package versions,
+since these determine the bytes.
 """
 
 import faulthandler
@@ -19,16 +19,16 @@ from sim2reason.errors import DatasetError
 from sim2reason.generation.request import Maker, load_maker, versions
 
 RETRIES: Final = 3  # of a batch whose worker or machine dies; then `WorkQueue` tries its positions one by one
-WAITING: Final = 2  # batches for each core, so that none waits for the next
+WAITING: Final = 2  # batches per core, so that no core waits for the next one
 KNOCK: Final = 5.0  # s
 
 
 @PLACES.register("ray")
 @contextmanager
 def on_ray(crew: Crew) -> Generator[Run, None, None]:
-    """Join the cluster at HOST:PORT, else the one that this machine belongs to, else begin one on its cores.
+    """Connect to the cluster at HOST:PORT, else to this machine's cluster, else start a local one.
 
-    DatasetError if nobody answers there, MissingExtraError without Ray.
+    DatasetError if there is no cluster at the address, MissingExtraError without Ray.
     """
     os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")  # else Ray reports to its makers
     ray = optional("ray", "ray")
@@ -75,7 +75,7 @@ def _reply(ray: Any, done: Any) -> Reply:  # noqa: ANN401 - a module and what it
 
 
 def attempts(batch: Batch, maker: str, patience: float, expected: dict[str, str]) -> list[Attempt]:
-    """What a worker does: a batch, or its own end if that takes too long (s). DatasetError for other versions."""
+    """Make the items of a batch in a worker, which exits after a timeout (s); DatasetError for other versions."""
     if other := [f"{name} {mine} ≠ {expected[name]}" for name, mine in versions().items() if mine != expected[name]]:
         raise DatasetError(f"{socket.gethostname()}: {', '.join(other)}; all machines of a cluster need the same")
     faulthandler.dump_traceback_later(patience, exit=True)

@@ -1,4 +1,4 @@
-"""Benchmarks: problems with known answers, ours and those that others published. One file each.
+"""Benchmarks: problems with known answers, generated or published, one module each.
 
 Benchmark (settings) ↦ BenchmarkItem (prompt, reference) ── a policy's samples ── Scoring ↦ Award
 """
@@ -23,7 +23,7 @@ MOST_SAMPLES = 4096
 
 
 class BenchmarkItem(BaseModel):
-    """One problem as it is put to a policy."""
+    """One problem in the form presented to a policy."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
@@ -38,7 +38,7 @@ class BenchmarkItem(BaseModel):
 
     @property
     def told(self) -> str:
-        """The answer, for people."""
+        """Return the answer as readable text."""
         answer = self.reference.get("told", self.reference.get("answer", ""))
         return answer if isinstance(answer, str) else str(answer)
 
@@ -61,7 +61,7 @@ class Benchmark(BaseModel, ABC):
 
     @property
     def pure(self) -> bool:
-        """Return whether the settings, and the version of the library, decide the problems: no file does."""
+        """Return whether the settings and the library's version determine the problems, without files."""
         return False
 
     @abstractmethod
@@ -77,7 +77,7 @@ BENCHMARKS: Registry[type[Benchmark]] = Registry("benchmarks", package="sim2reas
 
 
 def benchmark_from(settings: Mapping[str, object], place: str = "benchmark") -> Benchmark:
-    """Return the benchmark that settings describe; its `kind` is a registered name.
+    """Return the benchmark described by settings; `kind` is its registered name.
 
     Raises:
         EvaluationError: a setting that is unknown, missing or makes no sense.
@@ -87,7 +87,7 @@ def benchmark_from(settings: Mapping[str, object], place: str = "benchmark") -> 
 
 
 def items_of(benchmark: Benchmark) -> list[BenchmarkItem]:
-    """Return the problems of a benchmark, counted and each with an id of its own.
+    """Return the problems of a benchmark, after checking their number and the uniqueness of their ids.
 
     Raises:
         EvaluationError: none, another number than expected, or the same id twice.
@@ -109,7 +109,7 @@ def items_of(benchmark: Benchmark) -> list[BenchmarkItem]:
 
 
 def data_hash(items: Iterable[BenchmarkItem]) -> str:
-    """Return a hash of all that is asked and of all answers."""
+    """Return a hash of all prompts and answers."""
     digest = sha256()
     for item in items:
         digest.update(canonical(item.model_dump(mode="json")).encode(errors="replace"))

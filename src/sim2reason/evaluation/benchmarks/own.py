@@ -1,4 +1,4 @@
-"""Benchmarks from files of problems: JSON lines, saved datasets and problems drawn anew."""
+"""Benchmarks from files of problems: JSON lines, saved problems, and freshly generated problems."""
 
 from collections.abc import Iterator
 from itertools import islice
@@ -24,18 +24,18 @@ __all__ = ["SYNTHETIC", "AnyFile", "Saved", "Synthetic", "benchmark_item"]
 
 @BENCHMARKS.register("jsonl")
 class AnyFile(QuestionFile):
-    """Any .json, .jsonl or .parquet file of questions with answers; columns and rule are settings."""
+    """Any .json, .jsonl or .parquet file of questions with answers; columns and scoring rule are settings."""
 
 
 @BENCHMARKS.register("saved")
 class Saved(Benchmark):
-    """Problems that a run has saved: the held-out ones of a training, or those of another evaluation."""
+    """Problems saved by a run: the held-out ones of a training, or those of another evaluation."""
 
     file: Path
     """A .jsonl file such as RUN/problems/BENCHMARK.jsonl."""
 
     def problems(self) -> Iterator[BenchmarkItem]:
-        """Yield those of the file, in its order."""
+        """Yield the problems of the file in order."""
         for number, row in enumerate(rows(self.file)):
             try:
                 yield BenchmarkItem.model_validate(row)
@@ -48,7 +48,7 @@ DRAWN = 100
 
 
 def benchmark_item(item: Item, *, lenient: bool = False) -> BenchmarkItem:
-    """Return an item of ours as a benchmark has it: scored by our grader, and tagged by all that reports group by."""
+    """Return an item as a benchmark problem, scored by the library's grader and tagged for reports."""
     tags = {
         "recipe": (item.recipe,),
         "difficulty": (item.difficulty,),
@@ -64,7 +64,7 @@ def benchmark_item(item: Item, *, lenient: bool = False) -> BenchmarkItem:
 
 @BENCHMARKS.register(SYNTHETIC)
 class Synthetic(Chosen, Benchmark):
-    """Problems of ours: a dataset folder, or drawn from a seed."""
+    """Problems of this library: from a dataset folder, or generated from a seed."""
 
     dataset: Path | None = None
     """A folder that ``sim2reason generate`` has finished; else problems are drawn."""
@@ -87,11 +87,11 @@ class Synthetic(Chosen, Benchmark):
 
     @property
     def pure(self) -> bool:
-        """Return where problems are drawn."""
+        """Return whether the problems are generated, not read from a folder."""
         return self.seed is not None
 
     def problems(self) -> Iterator[BenchmarkItem]:
-        """In the dataset's order, or in that of the draws."""
+        """Yield the problems in the order of the dataset or of generation."""
         return (benchmark_item(item, lenient=self.lenient) for item in self._items())
 
     def _items(self) -> Iterator[Item]:

@@ -23,9 +23,9 @@ TEXT = "text-only", "text+illustration figure"
 
 @BENCHMARKS.register("hipho")
 class HiPhOFile(FileBenchmark):
-    """A file of HiPhO, such as IPhO_2025.json; subjects are its fields, Mechanics among them.
+    """A file of HiPhO, such as IPhO_2025.json; subjects are its fields, such as Mechanics.
 
-    An illustration is not needed to understand a problem, by HiPhO's own account; other figures are.
+    According to HiPhO, illustrations are not needed to understand a problem; other figures are.
     """
 
     numeric_only: bool = False
@@ -33,15 +33,15 @@ class HiPhOFile(FileBenchmark):
 
     @property
     def column_of_subject(self) -> str:
-        """Return where a row has its field of physics."""
+        """Return the column with the field of physics."""
         return "field"
 
     def needs_figure(self, row: Row) -> bool:
-        """Return where a figure is more than an illustration."""
+        """Return whether a problem has a figure beyond an illustration."""
         return row.get("modality") not in TEXT
 
     def problem(self, row: Row, number: int) -> BenchmarkItem | None:
-        """With all its questions at once; None for what has no question, or no number where only those are wanted."""
+        """Return the problem with all its questions; None without a question, or without a required number."""
         del number  # it has an id
         if "question" not in row:
             return None
@@ -84,7 +84,7 @@ class JEEBenchFile(FileBenchmark):
     """The file ``dataset.json`` of JEEBench; subjects are phy, chem and math."""
 
     def problem(self, row: Row, number: int) -> BenchmarkItem:
-        """With `type` and `gold` as the file has them."""
+        """Return the problem with `type` and `gold` as in the file."""
         kind, gold = row["type"], str(row["gold"]).strip()
         if kind not in TYPES:
             raise ValueError(f"no such type: {kind!r}")
@@ -104,7 +104,7 @@ class JEEBenchFile(FileBenchmark):
 
 @BENCHMARKS.register("math")
 class Mathematics(QuestionFile):
-    """AIME, MATH 500 and the like: rows with a problem and its answer, compared by math-verify."""
+    """AIME, MATH 500 and similar: rows with a problem and its answer, compared by math-verify."""
 
     question_column: str = "problem"
     scoring: str = "math"
@@ -125,21 +125,21 @@ WORDS = {
 class OlympiadBenchFile(FileBenchmark):
     """A file of OlympiadBench; subjects are Mechanics, Electromagnetism, Modern Physics, Thermodynamics, Optics.
 
-    What the file says only people can judge is left out.
+    Problems that, according to the file, only people can judge are omitted.
     """
 
     @property
     def column_of_subject(self) -> str:
-        """Return where a row has its field of physics."""
+        """Return the column with the field of physics."""
         return "subfield"
 
     def needs_figure(self, row: Row) -> bool:
-        """Return where the text or the context has a picture."""
+        """Return whether the text or the context contains a picture."""
         said = f"{row.get('question', '')}{row.get('context') or ''}"
         return any(mark in said for mark in FIGURES) or any(key.startswith("image_") and row[key] for key in row)
 
     def problem(self, row: Row, number: int) -> BenchmarkItem | None:
-        """With the first of its final answers, as the published rule takes it."""
+        """Return the problem with the first of its final answers, as the published rule does."""
         kind = str(row["answer_type"])
         if kind == PEOPLE:
             return None
@@ -167,7 +167,7 @@ def _asked(kind: str, unit: object, *, several: bool) -> str:
 
 @BENCHMARKS.register("physics")
 class UniversityPhysics(QuestionFile):
-    """The test split of PHYSICS: a rule first, then, where the configuration names one, a judge."""
+    """The test split of PHYSICS, scored by a rule and then, if configured, by a judge."""
 
     question_column: str = "questions"
     answer_column: str = "final_answers"

@@ -1,4 +1,4 @@
-"""Policies: models that answer prompts, behind an address or in this process. One file each.
+"""Policies: models that answer prompts, behind an endpoint or in this process, one module each.
 
 SampleRequest (prompt, seed) ── Policy.complete ↦ Completion ── samples.journal ── scores
 """
@@ -27,13 +27,13 @@ than its context, or nobody says."""
 
 
 class _Settings(BaseModel):
-    """What all settings share: frozen, strict about names."""
+    """The base of settings: frozen, without unknown names."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
 
 class Sampling(_Settings):
-    """How a model draws its tokens. What is None is not sent, and left to the model."""
+    """The sampling parameters of a model; None leaves a parameter to the model."""
 
     temperature: Annotated[FiniteFloat, Ge(0.0), Le(10.0)] | None = 1.0
     """Zero takes the most likely token."""
@@ -43,7 +43,7 @@ class Sampling(_Settings):
 
 
 class Limits(_Settings):
-    """What a policy may use up in a run, all resumptions together. None: without limit."""
+    """The budget of a policy in a run, including resumptions; None means without limit."""
 
     tokens: Annotated[int, Ge(1)] | None = None
     """Of prompts and responses."""
@@ -57,7 +57,7 @@ class Limits(_Settings):
 
 @dataclass(frozen=True, slots=True)
 class SampleRequest:
-    """One response that is wanted: the `sample`-th to the prompt of the problem `id`."""
+    """A request for one response: the `sample`-th to the prompt of the problem `id`."""
 
     id: str
     sample: int
@@ -67,7 +67,7 @@ class SampleRequest:
 
 
 class Completion(BaseModel):
-    """What a policy said, as a journal keeps it."""
+    """The response of a policy, as stored in a journal."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
@@ -83,7 +83,7 @@ class Completion(BaseModel):
 
     @property
     def whole(self) -> str:
-        """The response as a grader reads it: the thinking in its tags, then the text."""
+        """Return the response for a grader: the thinking in its tags, then the text."""
         if not self.thinking:
             return str(opened(self.text)) if self.thinking_opened else self.text
         return f"<think>{self.thinking}</think>{self.text}" if self.text else f"<think>{self.thinking}"
@@ -92,7 +92,7 @@ class Completion(BaseModel):
 class Policy(_Settings, ABC):
     """A model with its settings; each subclass is a kind that a configuration names.
 
-    `complete` is called from several threads at once, if `in_flight` is more than one.
+    If `in_flight` exceeds one, `complete` is called from several threads at once.
     """
 
     name: Name
@@ -109,16 +109,16 @@ class Policy(_Settings, ABC):
 
     @property
     def in_flight(self) -> int:
-        """Return how many calls of `complete` may run at once."""
+        """Return the number of concurrent calls of `complete`."""
         return 1
 
     @property
     def batch(self) -> int:
-        """Return how many requests one call of `complete` takes."""
+        """Return the number of requests in one call of `complete`."""
         return 1
 
     def check(self) -> None:
-        """Look whether it can be asked, before a run is begun with it.
+        """Check before a run that the policy is available.
 
         Raises:
             PolicyError: there is no such model, device or key.
@@ -127,7 +127,7 @@ class Policy(_Settings, ABC):
 
     @abstractmethod
     def complete(self, requests: Sequence[SampleRequest]) -> Sequence[Completion]:
-        """Return a completion for each request, in their order.
+        """Return a completion for each request, in order.
 
         Raises:
             NoAnswerError: these requests got no answer; others may.
@@ -136,12 +136,12 @@ class Policy(_Settings, ABC):
 
     @property
     def settings(self) -> dict[str, object]:
-        """Return what is worth writing down; never a key."""
+        """Return the settings to record, without keys."""
         return self.model_dump(mode="json")
 
     @property
     def decisive(self) -> dict[str, object]:
-        """Return what decides the answers."""
+        """Return the settings that affect the answers."""
         return {name: value for name, value in self.settings.items() if name not in self.operational}
 
 
@@ -149,7 +149,7 @@ POLICIES: Registry[type[Policy]] = Registry("policies", package="sim2reason.eval
 
 
 def policy_from(settings: Mapping[str, object], place: str = "policy") -> Policy:
-    """Return the policy that settings describe; its `kind` is a registered name.
+    """Return the policy described by settings; `kind` is its registered name.
 
     Raises:
         PolicyError: a setting that is unknown, missing or makes no sense.

@@ -1,4 +1,4 @@
-"""Always the same answer: the floor that a model has to rise above, and a run without a model."""
+"""A constant policy: a baseline for models, and a test run without a model."""
 
 from collections.abc import Sequence
 
@@ -14,5 +14,5 @@ class Constant(Policy):
     text: str
 
     def complete(self, requests: Sequence[SampleRequest]) -> Sequence[Completion]:
-        """Return the text; it costs no tokens."""
+        """Return the text for each request, with zero tokens."""
         return [Completion(text=self.text, finish="stop", prompt_tokens=0, completion_tokens=0) for _ in requests]

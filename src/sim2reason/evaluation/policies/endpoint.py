@@ -1,7 +1,7 @@
-"""A model behind an OpenAI-compatible address: vLLM, llama.cpp, or any provider.
+"""Policies behind an OpenAI-compatible endpoint: vLLM, llama.cpp, or any provider.
 
-By the standard library alone: its requests write no log, and evaluation needs no further package. A request asks for
-one choice, since endpoints answer n = 3 with one; k samples are k requests with k seeds.
+It uses only the standard library: no request is logged, and evaluation needs no further package. A request asks for one
+choice, since some endpoints answer n = 3 with one; k samples are k requests with k seeds.
 """
 
 import json
@@ -28,7 +28,7 @@ OURS = {"model", "messages", "n", "stream", "seed", "temperature", "top_p", "max
 
 @POLICIES.register("endpoint")
 class Endpoint(Policy):
-    """A model behind an OpenAI-compatible address."""
+    """A model behind an OpenAI-compatible endpoint."""
 
     url: str
     """Up to and without ``/chat/completions``, as in ``http://127.0.0.1:8000/v1``."""
@@ -90,7 +90,7 @@ class Endpoint(Policy):
 
     @model_validator(mode="after")
     def _no_key(self) -> Self:
-        """Settings are written down and shown: one that holds the key itself would be, too."""
+        """Reject settings that contain the key itself, because settings are recorded and shown."""
         key = Secret() if self.key_from is None else Secret(os.environ.get(self.key_from, "").strip())
         for name, value in self.model_dump(mode="json", exclude={"key_from"}).items():
             if key.stands_in(value):
@@ -99,7 +99,7 @@ class Endpoint(Policy):
 
     @property
     def in_flight(self) -> int:
-        """As many as `requests_in_flight`."""
+        """Return `requests_in_flight`."""
         return self.requests_in_flight
 
     @cached_property
@@ -107,11 +107,11 @@ class Endpoint(Policy):
         return from_environment(self.key_from)
 
     def check(self) -> None:
-        """Read the key; the endpoint itself may still come."""
+        """Read the key; the endpoint itself may start later."""
         _ = self._key
 
     def complete(self, requests: Sequence[SampleRequest]) -> Sequence[Completion]:
-        """Return one after the other; each is asked for again, ever later, while the endpoint gives no answer."""
+        """Return the completions one after another, with increasing delays between retries."""
         return [self._complete(request) for request in requests]
 
     def _complete(self, request: SampleRequest) -> Completion:

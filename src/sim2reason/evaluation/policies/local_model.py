@@ -1,4 +1,4 @@
-"""A model of the transformers library, in this process. Needs the packages of the extra ``train``."""
+"""Policies from the transformers library, in this process; they need the packages of the extra ``train``."""
 
 # transformers and torch are an extra, and are spoken to in this module alone:
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
@@ -18,7 +18,7 @@ from sim2reason.evaluation.policies.parts.hub import explained, loading, quiet
 
 __all__ = ["LocalModel"]
 
-AHEAD = 2**24  # random numbers that are drawn together
+AHEAD = 2**24  # random numbers generated together
 WISHES = {
     "bad_words_ids": None,
     "begin_suppress_tokens": None,
@@ -35,7 +35,7 @@ WISHES = {
     "sequence_bias": None,
     "suppress_tokens": None,
 }  # by which a model's own configuration may change logits, with the values that do not
-TINY = 1e-20  # the least uniform number, whose logarithm is finite in single precision
+TINY = 1e-20  # smallest uniform random number, whose logarithm is finite in single precision
 
 
 class _Loaded(NamedTuple):
@@ -68,7 +68,7 @@ class LocalModel(Policy):
 
     @property
     def batch(self) -> int:
-        """As many as `batch_size`."""
+        """Return `batch_size`."""
         return self.batch_size
 
     @cached_property
@@ -89,7 +89,7 @@ class LocalModel(Policy):
         return _Loaded(torch, transformers, model, tokenizer, self._decoder(model))
 
     def _decoder(self, model: Any) -> Decoder | None:  # noqa: ANN401 - of transformers
-        """PolicyError where it would give other answers than transformers' own loop."""
+        """Return the decoder; PolicyError if it would differ from transformers' own loop."""
         if not self.cuda_graphs:
             return None
         asked = {name: getattr(model.generation_config, name, None) for name in WISHES}
@@ -100,7 +100,7 @@ class LocalModel(Policy):
         return Decoder(model)
 
     def check(self) -> None:
-        """Look for the libraries, the device and the model's configuration."""
+        """Check the libraries, the device and the model's configuration."""
         torch, transformers = optional("torch", "train"), optional("transformers", "train")
         self._device(torch)
         with self._explained(), quiet():
@@ -114,7 +114,7 @@ class LocalModel(Policy):
         return explained(self.model, lambda why: PolicyError(f"policy {self.name!r}: {why}"))
 
     def _device(self, torch: Any) -> str:  # noqa: ANN401 - a module of an extra
-        """Return where the model is put; PolicyError, which lists what there is, if there is no such device."""
+        """Return the device of the model; PolicyError, with the available ones, if it does not exist."""
         kind = str(torch.accelerator.current_accelerator().type) if torch.accelerator.is_available() else ""
         count = torch.accelerator.device_count() if kind else 0
         there = ["cpu", *([kind] if kind else []), *(f"{kind}:{number}" for number in range(count))]
@@ -126,7 +126,7 @@ class LocalModel(Policy):
         return self.device
 
     def complete(self, requests: Sequence[SampleRequest]) -> Sequence[Completion]:
-        """All at once. Each draws from a generator of its own: an answer hangs on its seed, not on the others."""
+        """Return completions generated together; each uses its own random generator, so it depends only on its seed."""
         tokenizer, device = self._loaded.tokenizer, self._loaded.model.device
         given = tokenizer([self._spoken(request.prompt) for request in requests], return_tensors="pt", padding=True)
         ids, mask = given["input_ids"].to(device), given["attention_mask"].to(device)
@@ -139,7 +139,7 @@ class LocalModel(Policy):
         return [self._completion(row, length, ends) for row, length in zip(rows.tolist(), lengths, strict=True)]
 
     def _generated(self, ids: Any, mask: Any, processors: list[Any]) -> Any:  # noqa: ANN401 - tensors
-        """Tokens behind the prompts, by transformers' own loop."""
+        """Return the tokens after the prompts from transformers' own loop."""
         torch, _, model, tokenizer, _ = self._loaded
         with torch.inference_mode():
             rows = model.generate(
@@ -156,7 +156,7 @@ class LocalModel(Policy):
         return rows[:, ids.shape[1] :]
 
     def _decoded(self, decoder: Decoder, ids: Any, mask: Any, processors: list[Any]) -> Any:  # noqa: ANN401 - tensors
-        """Return the same with a cache of fixed size."""
+        """Return the tokens after the prompts from the decoder with a fixed-size cache."""
 
         def choose(logits: Any) -> Any:  # noqa: ANN401 - tensors
             for processor in processors:
@@ -166,7 +166,7 @@ class LocalModel(Policy):
         return decoder(ids, mask, self.sampling.max_tokens, choose, self._ends())
 
     def _spoken(self, prompt: str) -> str:
-        """Return what the model reads."""
+        """Return the text that the model reads for a prompt."""
         tokenizer = self._loaded.tokenizer
         if not (self.chat and tokenizer.chat_template):
             return f"{self.system}\n\n{prompt}" if self.system else prompt
@@ -175,9 +175,10 @@ class LocalModel(Policy):
         return tokenizer.apply_chat_template(messages, tokenize=False, add_generation_prompt=True)
 
     def _processors(self, seeds: Sequence[int]) -> list[Any]:
-        """Temperature, nucleus and noise: the largest of logits with Gumbel noise is a draw from their softmax.
+        """Return logits processors for temperature, nucleus sampling, and Gumbel noise from the seeds.
 
-        Gumbel, Statistical theory of extreme values (1954); so a greedy search samples, each row by its own seed.
+        The largest logit with Gumbel noise is a sample of the softmax (Gumbel, Statistical theory of extreme values,
+        1954), so greedy search samples each row with its own seed.
         """
         temperature = 1.0 if self.sampling.temperature is None else self.sampling.temperature
         if temperature == 0.0:
@@ -205,7 +206,7 @@ class LocalModel(Policy):
         return {*(held if isinstance(held, list) else [held]), own} - {None}
 
     def _completion(self, tokens: list[int], prompt_tokens: int, ends: set[int]) -> Completion:
-        """Return a row up to the token that ends it."""
+        """Return the completion of a row of tokens up to its end token."""
         end = next((place for place, token in enumerate(tokens) if token in ends), None)
         finish: Finish = "length" if end is None else "stop"
         held = tokens if end is None else tokens[:end]

@@ -1,1 +1,1 @@
-"""Reports: what runs show, in numbers with intervals, in pictures, and answer by answer."""
+"""Reports on evaluation runs: numbers with intervals, plots, and answers side by side."""

@@ -1,4 +1,4 @@
-"""A page of answers side by side: each problem with what every policy said first."""
+"""HTML page of answers side by side: each problem with the first response of every policy."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from html import escape
@@ -33,7 +33,7 @@ Shown = Mapping[tuple[str, str], SampleOutcome]
 
 
 def answers_page(folder: RunFolder, outcomes: Mapping[str, Sequence[SampleOutcome]]) -> Iterator[str]:
-    """Yield the page, piece by piece; `outcomes` by benchmark."""
+    """Yield the page in pieces; `outcomes` are given by benchmark."""
     yield HEAD.format(most=MOST_ITEMS)
     for benchmark, held in outcomes.items():
         policies = list(dict.fromkeys(outcome.policy for outcome in held))
@@ -47,7 +47,7 @@ def answers_page(folder: RunFolder, outcomes: Mapping[str, Sequence[SampleOutcom
 
 
 def _texts(folder: RunFolder, policy: str, benchmark: str, wanted: set[str]) -> dict[str, str]:
-    """Return what a policy said first to each of the wanted problems."""
+    """Return a policy's first responses to the wanted problems."""
     samples = finished(folder.samples(policy, benchmark))
     return {s.id: s.completion.whole[:LONGEST] for s in samples if s.sample == 0 and s.id in wanted}
 

@@ -1,4 +1,4 @@
-"""Comparisons of policies, correlations between benchmarks, and the folders of such results."""
+"""Comparisons of policies, correlations between benchmarks, and folders for these results."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -16,7 +16,7 @@ __all__ = ["PairedDifference", "RankCorrelation", "compare", "correlate", "own_f
 
 
 def own_folder(out: Path, result: str) -> None:
-    """Make the folder; EvaluationError if it holds something, and no file of the name `result` among that."""
+    """Create the folder; EvaluationError if it contains files but none named `result`."""
     out.mkdir(parents=True, exist_ok=True)
     if not (out / result).is_file() and (strangers := sorted(path.name for path in out.iterdir())):
         raise EvaluationError(f"{out}: holds {strangers[0]} and no {result}; choose a new folder")
@@ -26,7 +26,7 @@ COMPARISON_FILE = "compare.json"
 
 
 class PairedDifference(NamedTuple):
-    """The second policy less the first, on the problems of a benchmark that both answered."""
+    """The difference of two policies (second minus first) on the problems of a benchmark that both answered."""
 
     benchmark: str
     items: int
@@ -39,7 +39,7 @@ class PairedDifference(NamedTuple):
 
 
 def compare(first: str | Path, second: str | Path, out: Path | None = None) -> list[PairedDifference]:
-    """Compare two policies on every benchmark that both answered; each is RUN, or RUN:POLICY where a run has several.
+    """Compare two policies on every benchmark that both answered; each is RUN or RUN:POLICY.
 
     With `out`, a folder, the result is written there as ``compare.json`` and ``compare.md``.
 
@@ -78,7 +78,7 @@ def _pair(mine: PolicyScores, theirs: PolicyScores, benchmark: str) -> PairedDif
 
 
 def rows(found: list[PairedDifference]) -> list[list[object]]:
-    """For people, in per cent."""
+    """Return table rows of the differences, in per cent."""
     return [
         [o.benchmark, o.items, f"{100 * o.first:.1f}", f"{100 * o.second:.1f}", o.difference.shown, o.better, o.worse]
         for o in found
@@ -168,7 +168,7 @@ def _correlation(models: Sequence[PolicyScores], across: str, up: str) -> RankCo
 
 
 def told(found: RankCorrelation) -> str:
-    """ρ for people."""
+    """Return ρ as readable text."""
     rho = found.rho
     return "none" if rho is None else f"{rho.value:.2f} [{rho.low:.2f}, {rho.high:.2f}]"
 

@@ -1,4 +1,4 @@
-"""Evaluate from Python, as ``sim2reason eval`` does."""
+"""Evaluation: the function behind the command ``sim2reason eval``."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -87,7 +87,7 @@ def evaluate(
 
 
 def _reported(out: Path) -> bool:
-    """Write a report on the answers so far; return whether there are any."""
+    """Write a report on the present answers; return whether there are any."""
     try:
         return bool(write_report(RunFolder(out)).results)
     except (Sim2ReasonError, OSError):

@@ -14,7 +14,7 @@ MARKS = str.maketrans({"|": r"\|", "\n": " ", "\r": " ", "<": "&lt;", "`": "'"})
 
 
 def table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> Iterator[str]:
-    """Yield the lines of a table; whatever could end a cell is escaped."""
+    """Yield the lines of a Markdown table with escaped cells."""
     yield f"| {' | '.join(head)} |"
     yield f"|{' --- |' * len(head)}"
     for row in rows:
@@ -22,7 +22,7 @@ def table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> Iterator[str
 
 
 def page(record: RunRecord, results: Sequence[Result], pictures: Sequence[str], notes: Sequence[str] = ()) -> str:
-    """Return the whole page."""
+    """Return the whole page of a report."""
     return "\n".join([*_head(results, notes), *_settings(record), *_groups(results), *_pictures(pictures), ""])
 
 

@@ -1,4 +1,4 @@
-"""The report of a run: a folder with numbers, a page, pictures, and the answers side by side."""
+"""Report of a run: a folder with numbers, a page, plots, and the answers side by side."""
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -19,7 +19,7 @@ NO_PICTURES = "There are no pictures, since matplotlib is not installed: pip ins
 
 
 def write_report(folder: RunFolder) -> RunReport:
-    """Score all samples of a run anew, and write its report; whatever is still missing is counted in it.
+    """Score all samples of a run again, and write its report, which counts missing samples.
 
     Raises:
         MissingExtraError: a rule of scoring needs a package that is not installed.
@@ -61,7 +61,7 @@ def _bar(found: Result | None) -> Bar | None:
 
 
 def _pictures(folder: RunFolder, results: Sequence[Result]) -> Iterator[str]:
-    """Draw what there is to draw, and give the files' names."""
+    """Draw all possible plots, and yield the names of their files."""
     if not results:
         return
     out, held = folder.report, {(each.policy, each.benchmark): each for each in results}
@@ -76,7 +76,7 @@ def _pictures(folder: RunFolder, results: Sequence[Result]) -> Iterator[str]:
 
 
 def _groups(out: Path, benchmark: str, results: Sequence[Result]) -> Iterator[str]:
-    """Yield a picture for each tag that sorts a benchmark's problems into a few groups."""
+    """Yield a plot for each tag that divides a benchmark's problems into a few groups."""
     for tag in sorted({tag for each in results for tag in each.groups}):
         values = sorted({value for each in results for value in each.groups.get(tag, {})})
         if not 2 <= len(values) <= 20:
@@ -93,7 +93,7 @@ def _group(found: Result, tag: str, value: str) -> Bar | None:
 
 
 def _steps(folder: RunFolder, out: Path, results: Sequence[Result]) -> Iterator[str]:
-    """Accuracy and length over training, where policies say after how many steps they were saved."""
+    """Yield the plot of accuracy and length over training steps, if policies state their steps."""
     steps = {name: plan.step for name, plan in folder.record.policies.items()}
     staged = [(step, each) for each in results if (step := steps[each.policy]) is not None]
     moments = sorted({step for step, _ in staged})

@@ -1,4 +1,4 @@
-"""Results of a run: shares with intervals, means over samples, pass@k, and rank correlation."""
+"""Results of a run: accuracies with intervals, means over samples, pass@k, and rank correlation."""
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
@@ -29,16 +29,16 @@ __all__ = [
 ]
 
 LEVEL: Final = 0.95
-NORMAL: Final = 1.959963984540054  # the quantile of the normal distribution for that level, both sides
+NORMAL: Final = 1.959963984540054  # two-sided quantile of the normal distribution for that level
 RESAMPLES: Final = 4000
-SEED: Final = 20_260  # of the resampling: the same data give the same interval
-BLOCK: Final = 2**22  # numbers that are drawn at once
+SEED: Final = 20_260  # of the resampling, so that equal data give the same interval
+BLOCK: Final = 2**22  # random numbers generated at once
 
 Floats = NDArray[np.float64]
 
 
 class Estimate(NamedTuple):
-    """A number with the ends of its 95 % interval, and how that was found."""
+    """A number with the ends of its 95 % interval, and the method of the interval."""
 
     value: float
     low: float
@@ -47,14 +47,14 @@ class Estimate(NamedTuple):
 
     @property
     def shown(self) -> str:
-        """In per cent, for people."""
+        """Return the estimate in per cent as readable text."""
         return f"{100 * self.value:.1f} [{100 * self.low:.1f}, {100 * self.high:.1f}]"
 
 
 def wilson(right: int, total: int) -> Estimate:
-    """Return a share of independent trials, with the score interval of Wilson (1927).
+    """Return a fraction of independent trials, with the score interval of Wilson (1927).
 
-    ValueError for no trials, or for more right ones than there are.
+    ValueError for no trials, or for more successes than trials.
     """
     if total <= 0 or not 0 <= right <= total:
         raise ValueError("a share needs trials, and no more right ones than those")
@@ -68,7 +68,7 @@ def wilson(right: int, total: int) -> Estimate:
 
 
 def _resampled(values: Floats) -> Floats:
-    """Means of as many values, drawn from them with repetition (Efron, 1979)."""
+    """Return the means of bootstrap resamples (Efron, 1979)."""
     draws = np.random.default_rng(SEED)
     count, means = len(values), list[Floats]()
     rows = max(1, min(RESAMPLES, BLOCK // count))
@@ -83,7 +83,7 @@ def _resampled(values: Floats) -> Floats:
 def _interval(values: Floats, least: float) -> Estimate:
     """Return the mean of values from `least` to 1, with the ends of its interval.
 
-    Where all values are alike a bootstrap sees no spread; then the ends are as far as Wilson's are from none of n.
+    If all values are equal, the bootstrap interval is empty; then its width is that of Wilson's for zero of n.
     """
     mean = float(values.mean())
     if np.ptp(values) == 0.0:
@@ -94,9 +94,9 @@ def _interval(values: Floats, least: float) -> Estimate:
 
 
 def mean_of_items(points: Sequence[Sequence[float]]) -> Estimate:
-    """mean@k: the mean over items of their mean points, each with its own samples.
+    """Return mean@k: the mean over items of their mean points, each over its own samples.
 
-    Items are the trials. With one sample each, right or wrong, the interval is Wilson's; else it is a bootstrap over
+    Items are the trials. With one sample each, correct or not, the interval is Wilson's; else it is a bootstrap over
     items.
     """
     means = np.array([sum(held) / len(held) for held in points], dtype=np.float64)
@@ -106,10 +106,10 @@ def mean_of_items(points: Sequence[Sequence[float]]) -> Estimate:
 
 
 def pass_at(points: Sequence[Sequence[float]], k: int) -> float | None:
-    """pass@k: the chance that of k samples of an item one is wholly right, without bias; None where items have fewer.
+    """Return pass@k: the unbiased probability that one of k samples is fully correct; None for too few samples.
 
-    1 - C(n - c, k)/C(n, k) for c right ones of n: Chen et al., *Evaluating Large Language Models Trained on Code*
-    (2021).
+    The formula is 1 - C(n - c, k)/C(n, k) for c correct ones of n: Chen et al., *Evaluating Large Language Models
+    Trained on Code* (2021).
     """
     if any(len(held) < k for held in points):
         return None
@@ -118,7 +118,7 @@ def pass_at(points: Sequence[Sequence[float]], k: int) -> float | None:
 
 
 def difference(mine: Sequence[float], theirs: Sequence[float]) -> Estimate:
-    """The mean of `theirs` less that of `mine`, item by item, with a bootstrap over items (a ValueError for none)."""
+    """Return the mean paired difference (theirs minus mine), with a bootstrap interval over items."""
     if len(mine) != len(theirs) or not mine:
         raise ValueError("a paired difference needs the same items, and at least one")
     values = np.array(theirs, dtype=np.float64) - np.array(mine, dtype=np.float64)
@@ -126,17 +126,17 @@ def difference(mine: Sequence[float], theirs: Sequence[float]) -> Estimate:
 
 
 def _ranks(values: Floats) -> Floats:
-    """Ranks from 1 on, equal values sharing their mean rank."""
+    """Return the ranks from 1; equal values share their mean rank."""
     _, place, counts = np.unique(values, return_inverse=True, return_counts=True)
     last = np.cumsum(counts)
     return ((last - counts + 1 + last) / 2.0)[place]
 
 
 def rank_correlation(x: Sequence[float], y: Sequence[float]) -> Estimate | None:
-    """Spearman's ρ with the interval of Bonett and Wright (2000): Fisher's z with variance (1 + ρ²/2)/(n - 3).
+    """Return Spearman's ρ with the interval of Bonett and Wright (2000) from Fisher's z.
 
-    None for fewer than three pairs, or where one side has no two values; with three, the interval is all of [-1, 1].
-    At ρ = ±1, where z is infinite, the inner end is that of the next ρ, with two neighbours exchanged.
+    None for fewer than three pairs, or if one side has equal values only; with three, the interval is [-1, 1]. At ρ =
+    ±1, where z is infinite, the inner end is that of the next smaller |ρ|, with two neighbours exchanged.
     """
     count = len(x)
     if count != len(y) or count < 3 or len(set(x)) < 2 or len(set(y)) < 2:
@@ -152,7 +152,7 @@ def rank_correlation(x: Sequence[float], y: Sequence[float]) -> Estimate | None:
     return Estimate(rho, -1.0 if rho < -next_to else low, 1.0 if rho > next_to else high, "bonett-wright")
 
 
-MOST_GROUPS = 200  # values of one tag; more are no groups
+MOST_GROUPS = 200  # values of a tag up to which it is reported as groups
 PASSES = 1, 2, 4, 8, 16, 32, 64, 128
 
 
@@ -161,7 +161,7 @@ class _Record(BaseModel):
 
 
 class Share(_Record):
-    """A mean of points with its 95 % interval."""
+    """A mean of points with its 95 % interval, in serializable form."""
 
     value: float
     low: float
@@ -170,24 +170,24 @@ class Share(_Record):
 
     @classmethod
     def of(cls, estimate: Estimate) -> "Share":
-        """Return the same, to be written down."""
+        """Return the serializable form of an estimate."""
         return cls(**estimate._asdict())
 
     @property
     def shown(self) -> str:
-        """In per cent, for people."""
+        """Return the mean in per cent as readable text."""
         return Estimate(self.value, self.low, self.high, self.method).shown
 
 
 class Group(_Record):
-    """The problems that have one value of a tag. A problem may be in several, as one with two entities is."""
+    """The problems with one value of a tag; a problem may belong to several groups."""
 
     items: int
     accuracy: Share
 
 
 class Result(_Record):
-    """A policy on a benchmark."""
+    """The result of a policy on a benchmark."""
 
     policy: str
     benchmark: str
@@ -213,7 +213,7 @@ class Result(_Record):
 
 
 class RunReport(_Record):
-    """All of ``report.json``."""
+    """The contents of ``report.json``."""
 
     run: dict[str, object]
     """The run's record: seeds, settings, hashes of the data."""

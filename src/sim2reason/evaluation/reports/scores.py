@@ -1,4 +1,4 @@
-"""Scores of finished runs, read back to be compared."""
+"""Scores of finished runs, read for comparisons."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ __all__ = ["PolicyScores", "all_scores", "scores_of"]
 
 @dataclass(frozen=True)
 class PolicyScores:
-    """The points of one policy: by benchmark, then by problem, of each sample."""
+    """The points of one policy by benchmark and problem, one per sample."""
 
     name: str
     run: RunFolder
@@ -49,9 +49,9 @@ def all_scores(run: Path | str) -> list[PolicyScores]:
 
 
 def scores_of(place: str) -> PolicyScores:
-    """Return the scores of one policy: of RUN if that has only one, or of RUN:POLICY.
+    """Return the scores of one policy, given as RUN if that has only one, or RUN:POLICY.
 
-    EvaluationError if there is no such run or policy, or if it has several and none is named.
+    EvaluationError if there is no such run or policy, or if there are several and none is named.
     """
     run, name = place, ""
     if not Path(place).exists() and ":" in place:

@@ -1,1 +1,1 @@
-"""Drawings to scale: what a mechanism's own geometry shows, seen along the direction in which nothing moves."""
+"""Drawings to scale: the geometry of a mechanism, seen along the direction in which nothing moves."""

@@ -1,4 +1,4 @@
-"""Angles at corners, with their sizes."""
+"""Angles at corners, with their values."""
 
 from cmath import rect
 from math import radians, tan

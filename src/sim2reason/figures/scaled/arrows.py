@@ -1,4 +1,4 @@
-"""Velocities at the start, and the angles and heights that the text states, where the drawing shows them."""
+"""Initial velocities, and stated angles and heights, drawn as arrows, arcs and dimension lines."""
 
 from cmath import phase, rect
 from collections.abc import Mapping
@@ -16,18 +16,18 @@ from sim2reason.scenes.dsl.mechanism import RigidBody
 from sim2reason.scenes.dsl.vectors import inner
 
 LENGTHS, SHORTEST = (1.7, 1.3, 1.0, 0.75, 0.6), 0.6  # units, of the longest arrow and of any: thrice its head
-APART = 0.15  # of two arrows
+APART = 0.15  # units between two arrows, at least
 STILL = 1e-9
 MINUS = "\N{MINUS SIGN}"
-FINE = 12  # strokes of a curved arrow
+FINE = 12  # straight segments of a curved arrow
 ARC = 0.85
 STEPS = (1.0, 2.0, 5.0)
 
 
 def speeds(setting: Setting, *, headings: bool = True) -> Sketch:
-    """Draw the initial velocity of every moving body as an arrow, labelled with its speed, or with one scale for all.
+    """Draw the initial velocity of every moving body as an arrow, labelled with its speed or with one common scale.
 
-    With its direction too, unless only the arrows are wanted: an angle that is shown once is not shown again.
+    With `headings`, angles of velocities are drawn too.
     """
     found, unsaid = Sketch(), False
     moving = {b.name: v for b in setting.members if _shown(setting, b, v := setting.velocity(b.name))}
@@ -56,9 +56,9 @@ def speeds(setting: Setting, *, headings: bool = True) -> Sketch:
 
 
 def _shown(setting: Setting, body: RigidBody, velocity: complex) -> bool:
-    """Whether a body gets an arrow: one of stated speed, else one whose velocity the text gives, so that it has scale.
+    """Return whether a body gets an arrow: if its speed is stated, or else its velocity follows from the text.
 
-    What is fixed to something that turns gets one only if its own speed is stated.
+    A body fixed to a rotating one gets an arrow only if its own speed is stated.
     """
     if abs(velocity) <= STILL or body.name not in setting.bodies:
         return False
@@ -68,7 +68,7 @@ def _shown(setting: Setting, body: RigidBody, velocity: complex) -> bool:
 
 
 def _speed(setting: Setting, name: str, speed: float) -> str:
-    """The speed of a body, if the text states it, or a velocity along a line of that size: the arrow has its sign."""
+    """Return the stated speed of a body, or its stated velocity along a line; the arrow shows the sign."""
     owner, unit_of_speed = owner_of(name), setting.mechanism.units.spell("m/s")
     velocity = setting.stated(owner, unit_of_speed, -speed)
     turned = velocity[1:] if velocity.startswith(MINUS) else ""
@@ -76,7 +76,7 @@ def _speed(setting: Setting, name: str, speed: float) -> str:
 
 
 def _tail(setting: Setting, name: str, way: complex) -> complex:
-    """Return where an arrow begins: at the rim of what is round, beside a block, clear of what is tied to it."""
+    """Return the start of a velocity arrow: at the rim of a round body, beside a block, clear of strings."""
     look, at = setting.look(name), setting.at(name)
     if not isinstance(look, SmallBody) or look.kind not in OBLONG or setting.view.level:
         return at + setting.radius(name) * way
@@ -86,14 +86,14 @@ def _tail(setting: Setting, name: str, way: complex) -> complex:
 
 
 def _beside(setting: Setting, name: str, way: complex) -> complex:
-    """Return where an arrow begins that is above a body, or to its left."""
+    """Return the start of an arrow above a body, or to its left."""
     out = way * 1j if (way * 1j).imag > 0.0 or abs(way.imag) > 0.999 else way * -1j
     back = 0.45 if setting.sizes(name)[0] >= setting.plan.sizes.width else 0.0  # not over a neighbour
     return setting.at(name) + (setting.radius(name) + 0.25) * out - back * way
 
 
 def _run_together(one: tuple[complex, complex], other: tuple[complex, complex]) -> bool:
-    """Return whether two arrows, each from its tail along a way, touch or cross each other."""
+    """Return whether two arrows (tail, direction) touch or cross."""
     (a, along), (b, across) = one, other
     if crosses(a, a + along, b, b + across):
         return True
@@ -102,7 +102,7 @@ def _run_together(one: tuple[complex, complex], other: tuple[complex, complex]) 
 
 
 def _runs_over(setting: Setting, moving: Mapping[str, complex], size: float) -> bool:
-    """Return whether an arrow of this scale would run over another body."""
+    """Return whether an arrow of this scale would cross another body."""
     spots = {body.name: (setting.at(body.name), setting.radius(body.name)) for body in setting.members}
     for name, velocity in moving.items():
         at, radius = spots[name]
@@ -117,7 +117,7 @@ def _runs_over(setting: Setting, moving: Mapping[str, complex], size: float) -> 
 
 
 def _heading(setting: Setting, name: str, velocity: complex, found: Sketch) -> None:
-    """The angle of a velocity to the horizontal, or to the x axis, where the text states it."""
+    """Draw the angle of a velocity to the horizontal, or to the x axis, if the text states it."""
     owner = name.split(".", maxsplit=1)[0]
     turn = degrees(phase(velocity)) % 360.0
     if setting.view.level:
@@ -132,7 +132,7 @@ def _heading(setting: Setting, name: str, velocity: complex, found: Sketch) -> N
 
 
 def _mark(text: str, name: str, setting: Setting, turn: tuple[float, float], found: Sketch) -> None:
-    """An arc from one direction to another, degrees, with its size, and a dashed line where it begins."""
+    """Draw an arc between two directions (degrees) with its value, and a dashed line at its start."""
     (start, stop), at = turn, setting.at(name)
     size = abs(stop - start)
     low, high = sorted((start, stop))
@@ -152,7 +152,7 @@ def _mark(text: str, name: str, setting: Setting, turn: tuple[float, float], fou
 
 
 def spins(setting: Setting) -> Sketch:
-    """Return a curved arrow for every angular velocity that the text states: about an axle, or about its own axis."""
+    """Draw a curved arrow for every stated angular velocity, about an axle or the body's own axis."""
     found = Sketch()
     for body in setting.members:
         for hinge in body.coordinates:
@@ -166,7 +166,7 @@ def spins(setting: Setting) -> Sketch:
 
 
 def _curved(text: str, setting: Setting, body: RigidBody, sense: float, found: Sketch) -> None:
-    """Round a body if it turns on the spot or freely; what turns about an axle, ahead of its far end."""
+    """Draw a curved arrow round a spinning body, or ahead of the far end of a body on an axle."""
     pivot = setting.view.at(vector(setting.frames[body.name].origin))
     arm = _tip(setting, body, pivot) - pivot
     axle = {c.kind for c in body.coordinates} == {"hinge"} and abs(arm) > setting.radius(body.name)
@@ -192,7 +192,7 @@ def _curved(text: str, setting: Setting, body: RigidBody, sense: float, found: S
 
 
 def deflections(setting: Setting) -> Sketch:
-    """Return the angle between the vertical and what hangs from a fixed point, where the text states it."""
+    """Draw the stated angles between the vertical and the bodies that hang from fixed points."""
     found = Sketch()
     if setting.view.level:
         return found
@@ -209,7 +209,7 @@ def deflections(setting: Setting) -> Sketch:
 
 
 def _free(setting: Setting, top: complex, end: complex, turn: float) -> float:
-    """The radius of an arc between the vertical and what hangs, so that it crosses none of the bodies on that."""
+    """Return the radius of an arc between the vertical and a hanging line, clear of the bodies on the line."""
     way, taken = unit(end - top), list[tuple[float, float]]()
     for body in setting.members:
         if body.name in setting.bodies and not isinstance(setting.look(body.name), Slender):
@@ -233,7 +233,7 @@ def _sector(text: str, owner: str, at: complex, turn: float, radius: float, foun
 
 
 def _hanging(setting: Setting) -> list[tuple[complex, complex, str]]:
-    """Return what runs from a point of the room to a body: straight lines, and arms on hinges."""
+    """Return the lines from fixed points to hanging bodies: strings, rods and hinged arms."""
     found: list[tuple[complex, complex, str]] = []
     for line in setting.lines:
         if len(line.through) == 2:
@@ -248,7 +248,7 @@ def _hanging(setting: Setting) -> list[tuple[complex, complex, str]]:
 
 
 def _tip(setting: Setting, body: RigidBody, pivot: complex) -> complex:
-    """Return where an arm leads: to its centre of mass, or to what it carries first."""
+    """Return the far end of an arm: its centre of mass, or the first body that it carries."""
     at = setting.view.at(vector(setting.frames.center(body.name).place))
     if abs(at - pivot) > STILL:
         return at
@@ -257,7 +257,7 @@ def _tip(setting: Setting, body: RigidBody, pivot: complex) -> complex:
 
 
 def heights(setting: Setting) -> Sketch:
-    """Return how high a body is above the ground that it can fall to, where the text states it."""
+    """Draw the stated heights of bodies above the ground."""
     found = Sketch()
     for body in setting.members:
         floor = setting.floor(body)
@@ -276,7 +276,7 @@ def heights(setting: Setting) -> Sketch:
 
 
 def _dimension(low: complex, top: complex, at: complex) -> list[Shape]:
-    """Return a double arrow beside what it measures, with a fine line to the body."""
+    """Return a double arrow beside the measured distance, with a thin line to the body."""
     middle = 0.5 * (low + top)
     return [
         LineShape((middle, top), "hair", arrow=True),

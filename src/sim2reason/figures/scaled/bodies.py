@@ -1,4 +1,4 @@
-"""The shapes of bodies by their looks, and their names."""
+"""Shapes of bodies by their looks, and labels of their names."""
 
 from cmath import rect
 from collections.abc import Iterable
@@ -14,17 +14,17 @@ from sim2reason.figures.shapes import LETTER, SIZE, SMALL, TINY, Arc, Area, Shap
 from sim2reason.figures.vectors import RIGHT, UP, Polygon, hull, rectangle, unit
 from sim2reason.scenes.dsl.body import Axial, BodyLook, Capped, Rectangular, Silhouette, Small, Spherical
 
-THIN = 0.13  # units: of what has no thickness, at least
+THIN = 0.13  # units: drawn thickness of thin bodies, at least
 ROCKET = ((-0.2, -0.5), (0.2, -0.5), (0.2, 0.25), (0.0, 0.65), (-0.2, 0.25))
 FINS = (((-0.2, -0.5), (-0.38, -0.65), (-0.2, -0.15)), ((0.2, -0.5), (0.38, -0.65), (0.2, -0.15)))
-LETTERED = ("puck", "sphere")  # round things in which there is room for a letter
-SEEN = 0.5  # an axis this much in the page is drawn from the side
-LEVEL = 0.3  # the sine up to which texts along a slope fit into a slab
+LETTERED = ("puck", "sphere")  # round bodies with room for a letter
+SEEN = 0.5  # an axis with at least this component in the page is drawn from the side
+LEVEL = 0.3  # largest sine of a slope at which labels along it fit into a slab
 FINE = 24  # points of half a round outline
 
 
 def body(setting: Setting, address: str, along: complex = RIGHT) -> Sketch:
-    """Return a body at its place; `along` is the way in which a block lies."""
+    """Return the sketch of a body at its position; `along` is the direction of a block's long side."""
     look, at = setting.look(address), setting.at(address)
     if look is None:
         return stranger(setting, address, at)
@@ -32,7 +32,7 @@ def body(setting: Setting, address: str, along: complex = RIGHT) -> Sketch:
 
 
 def stranger(setting: Setting, address: str, at: complex) -> Sketch:
-    """Return a body whose class declares no look: a dashed box with its name."""
+    """Return the sketch of a body whose class declares no look: a dashed box with its name."""
     text = setting.plan.caption(address)
     wide = max(1.0, width(text, SMALL) + 0.2)
     box = Area(rectangle(at, wide, 0.7), dashed=True)
@@ -40,7 +40,7 @@ def stranger(setting: Setting, address: str, at: complex) -> Sketch:
 
 
 def shapes(setting: Setting, address: str, look: BodyLook, at: complex, along: complex) -> Iterable[Shape]:
-    """Return what is drawn of a body, from back to front."""
+    """Return the shapes of a body, from back to front."""
     x, y, z = (setting.view.way(axis) for axis in setting.axes(address))
     size = setting.view.scale
     match look:  # each kind of look has its own shapes
@@ -63,7 +63,7 @@ def shapes(setting: Setting, address: str, look: BodyLook, at: complex, along: c
 
 
 def small(kind: str, at: complex, radius: float, sizes: tuple[float, float], along: complex) -> list[Shape]:
-    """Something whose size does not matter."""
+    """Return the shapes of a body whose size does not matter."""
     wide, tall = sizes
     match kind:
         case "block" | "slab":
@@ -82,7 +82,7 @@ def small(kind: str, at: complex, radius: float, sizes: tuple[float, float], alo
 
 
 def sphere(look: Spherical, at: complex, size: float, z: complex) -> list[Shape]:
-    """Return a disc, with what is hollow left white; a hole that goes through the wall opens it."""
+    """Return the disc of a sphere with its hollow in white; a hole through the wall opens it."""
     radius, inner = look.radius * size, (look.radius - look.wall) * size
     middle, hole = at + look.offset * size * z, look.hole * size
     if look.wall and hole:
@@ -93,10 +93,10 @@ def sphere(look: Spherical, at: complex, size: float, z: complex) -> list[Shape]
 
 
 def shell(at: complex, radii: tuple[float, float], hole: tuple[float, float], way: complex) -> Polygon:
-    """Return a ring from which what lies within a hole (how far off, its radius) is cut away."""
+    """Return the polygon of a ring with a circular hole (distance, radius) cut out in a direction."""
 
     def opening(radius: float) -> float:
-        """Half the angle that the hole cuts out of a circle."""
+        """Return half the angle that the hole cuts out of a circle, radians."""
         off, reach = hole
         cosine = (radius**2 + off**2 - reach**2) / (2.0 * radius * off) if off else 1.0
         return acos(max(-1.0, min(1.0, cosine)))
@@ -110,7 +110,7 @@ def _turns(gap: float) -> list[float]:
 
 
 def axial(look: Axial, at: complex, size: float, ways: tuple[complex, complex]) -> list[Shape]:
-    """Return a circle or polygon if one looks along its axis, else a rectangle."""
+    """Return a circle or polygon for a view along the body's axis, else a rectangle."""
     x, z = ways
     if abs(z) > SEEN:
         wide, tall = max(THIN, 2.0 * look.radius * size), max(THIN, look.height * size)
@@ -127,7 +127,7 @@ def axial(look: Axial, at: complex, size: float, ways: tuple[complex, complex]) 
 
 
 def cap(look: Capped, at: complex, size: float, z: complex) -> Polygon:
-    """Return a segment of a circle, or the part of a ring that a bowl's wall shows."""
+    """Return the outline of a spherical cap: a circular segment, or the section of a bowl's wall."""
     if abs(z) <= SEEN:
         wide = sqrt(max(0.0, look.height * (2.0 * look.radius - look.height))) if look.height < look.radius else 0.0
         radius = size * (wide or look.radius)
@@ -139,7 +139,7 @@ def cap(look: Capped, at: complex, size: float, z: complex) -> Polygon:
 
 
 def _segment(radius: float, height: float) -> Polygon:
-    """Return the curved outline of a cap about the centre of its flat face, its pole upwards, from right to left."""
+    """Return the outline of a cap about the centre of its flat face, pole upwards, from right to left."""
     center = height - radius
     low = asin(max(-1.0, min(1.0, -center / radius)))
     turns = (low + (pi - 2.0 * low) * n / FINE for n in range(FINE + 1))
@@ -147,7 +147,7 @@ def _segment(radius: float, height: float) -> Polygon:
 
 
 def names(setting: Setting, address: str, look: BodyLook, at: complex) -> list[Wanted]:
-    """Return the name of a body, and its mass if numbers are wanted: inside if they fit, else beside it."""
+    """Return the labels of a body's name and, if wanted, mass: inside it if they fit, else beside it."""
     plan, named = setting.plan, setting.bodies[address].letters
     if isinstance(look, Small) and look.kind == "slab":
         return slab_labels(setting, address, at)
@@ -179,7 +179,7 @@ def names(setting: Setting, address: str, look: BodyLook, at: complex) -> list[W
 
 
 def slab_labels(setting: Setting, address: str, at: complex) -> list[Wanted]:
-    """Name and mass one after the other, or beside the ends of the slab."""
+    """Return the labels of a slab's name and mass: side by side, or beside its ends."""
     name, mass, along = setting.plan.name(address), setting.plan.mass(address), setting.along(address)
     half, wide = 0.5 * setting.sizes(address)[0], 0.5 * width(name, SIZE)
     if not mass:
@@ -194,7 +194,7 @@ def slab_labels(setting: Setting, address: str, at: complex) -> list[Wanted]:
 
 
 def lengthwise(setting: Setting, address: str, look: BodyLook) -> tuple[complex, float]:
-    """Half the length of what is long and thin, in its direction, 0 for what is not; and half its width."""
+    """Return half the length of a thin body along its direction (0 for others), and half its width."""
     match look:
         case Axial(radius, height):
             sizes = (2.0 * radius, 2.0 * radius, height)
@@ -209,14 +209,14 @@ def lengthwise(setting: Setting, address: str, look: BodyLook) -> tuple[complex,
 
 
 def _covered(setting: Setting, address: str) -> bool:
-    """Return whether something is joined to the middle of a body, where its name would stand."""
+    """Return whether another body or a line is attached to the middle of a body, where its name would be."""
     joints = (j for j in setting.plan.scene.joints.values() if setting.owns(j.name) and j.connection.carries)
     sites = (setting.mechanism.site[joint.stops[0].sites[0]] for joint in joints)
     return any(site.body == address and abs(setting.site(site.name) - setting.at(address)) < THIN for site in sites)
 
 
 def _plain(look: BodyLook) -> bool:
-    """Return whether there is room for a letter inside: neither ink nor a hole."""
+    """Return whether a body has room for a letter inside: neither filled with ink nor hollow."""
     match look:
         case Small(kind):
             return kind in (*LETTERED, "star")

@@ -1,4 +1,4 @@
-"""What bodies lie on or may meet: slopes, floors, walls, curved tracks, wedges, tables."""
+"""Surfaces under or beside bodies: slopes, floors, walls, curved tracks, wedges, tables."""
 
 from cmath import phase
 from collections.abc import Iterator
@@ -15,16 +15,16 @@ from sim2reason.figures.vectors import UP, box, cross, dot, unit
 from sim2reason.scenes.dsl.body import BigBox, Globe, MovingSlope, Tabletop
 from sim2reason.scenes.dsl.mechanism import Face, Prop
 
-BEYOND, LEAST = 0.8, 3.4  # units by which a surface is longer than what lies on it, and its least length
+BEYOND, LEAST = 0.8, 3.4  # units by which a surface extends beyond the bodies on it, and its least length
 FLAT = 1e-6
-FLOOR = 0.99  # the cosine to the vertical from which on something is a floor
-GLOBE = 9.0  # units, the radius of a planet of which only the top is seen
-WIDER = 1.25  # than what lies on it, before `BEYOND`
+FLOOR = 0.99  # cosine of the normal to the vertical from which a surface is a floor
+GLOBE = 9.0  # units, radius of a planet of which only the top is visible
+WIDER = 1.25  # times the width of the bodies on a surface, before `BEYOND`
 
 
 @dataclass(frozen=True, slots=True)
 class Surface:
-    """A straight surface: where it is touched, its normal, and the body whose it is; None: the room's."""
+    """A straight surface: contact points, normal, and its body (None if it is fixed)."""
 
     owner: str | None
     normal: complex
@@ -33,13 +33,13 @@ class Surface:
 
     @property
     def along(self) -> complex:
-        """The direction along it, to the right or up."""
+        """Return the unit vector along the surface, to the right or up."""
         way = self.normal * -1j
         return way if way.real > FLAT or (abs(way.real) <= FLAT and way.imag > 0.0) else -way
 
     @property
     def ends(self) -> tuple[complex, complex]:
-        """Its ends, with room beyond what touches it."""
+        """Return both ends of the surface, with a margin beyond its contact points."""
         places = sorted(dot(point, self.along) for point in self.touched)
         low, high = places[0] - BEYOND, places[-1] + BEYOND
         more = max(0.0, 0.5 * (LEAST - (high - low)))
@@ -48,7 +48,7 @@ class Surface:
 
 
 def surfaces(setting: Setting) -> list[Surface]:
-    """Return the straight surfaces on which bodies lie, each once."""
+    """Return the straight surfaces on which bodies lie, without repetitions."""
     found: dict[tuple[str | None, float, float, float], Surface] = {}
     for face in setting.mechanism.faces:
         parent = setting.mechanism.body[face.subject].parent
@@ -71,7 +71,7 @@ def surfaces(setting: Setting) -> list[Surface]:
 
 
 def _below(setting: Setting, body: str, foot: complex, normal: complex) -> Iterator[complex]:
-    """Points of the plane through a foot of a body, on both sides of it."""
+    """Yield points of the contact plane on both sides of a body's lowest point."""
     along = normal * 1j
     middle = dot(foot, normal) * normal + dot(setting.at(body), along) * along
     for side in (-WIDER, WIDER):
@@ -79,7 +79,7 @@ def _below(setting: Setting, body: str, foot: complex, normal: complex) -> Itera
 
 
 def reach(setting: Setting, face: Face) -> float:
-    """Return how far below the place of a body its face is, in units: its radius if it rolls, else half its height."""
+    """Return the distance from a body's position to its face, in units: its radius, or half its height if it slides."""
     turning = [abs(factor) for name, factor in face.slip if name.endswith(".hinge")]
     return setting.view.scale * turning[0] if turning else setting.radius(face.subject)
 
@@ -97,7 +97,7 @@ def _touch(
 
 
 def grounds(setting: Setting) -> Sketch:
-    """Return all that bodies lie on, from back to front."""
+    """Return the sketch of all surfaces under bodies, from back to front."""
     found = Sketch()
     _straight(setting, found)
     for face in setting.mechanism.faces:
@@ -112,7 +112,7 @@ def grounds(setting: Setting) -> Sketch:
 
 
 def _straight(setting: Setting, found: Sketch) -> None:
-    """Planes, floors and wedges."""
+    """Draw planes, floors and wedges."""
     straight = surfaces(setting)
     wedges = dict.fromkeys(s.owner for s in straight if isinstance(setting.look(s.owner or ""), MovingSlope))
     for surface in straight:
@@ -124,7 +124,7 @@ def _straight(setting: Setting, found: Sketch) -> None:
 
 
 def _fixed(setting: Setting, surface: Surface, found: Sketch) -> None:
-    """A hatched line; of a slope the triangle below it, with its angle."""
+    """Draw a fixed surface as a hatched line; for a slope also the triangle below it, with its angle."""
     a, b = surface.ends
     slope = surface.along.imag
     if abs(slope) < FLAT or surface.normal.imag < FLAT:
@@ -139,7 +139,7 @@ def _fixed(setting: Setting, surface: Surface, found: Sketch) -> None:
 
 
 def _rough(setting: Setting, surface: Surface, found: Sketch) -> None:
-    """Dots under a face with friction, and its coefficient if the text states it."""
+    """Draw dots under a face with friction, and its coefficient if the text states it."""
     face = surface.face
     if face is None or face.friction == 0.0:
         return
@@ -155,7 +155,7 @@ def _rough(setting: Setting, surface: Surface, found: Sketch) -> None:
 
 
 def _angle(low: complex, high: complex, found: Sketch, setting: Setting) -> None:
-    """The angle at the foot of a slope."""
+    """Draw the angle at the foot of a slope."""
     way = unit(high - low)
     side = 1.0 if way.real > 0.0 else -1.0
     value = round(degrees(acos(min(1.0, abs(way.real)))), 9)
@@ -170,7 +170,7 @@ def _angle(low: complex, high: complex, found: Sketch, setting: Setting) -> None
 
 
 def _wedge(setting: Setting, owner: str, faces: list[Surface], found: Sketch) -> None:
-    """A body with one face or two, standing on its floor."""
+    """Draw a body with one or two faces, standing on its floor."""
     ends = [sorted(face.ends, key=lambda p: p.imag) for face in faces]
     if len(faces) == 2:
         apex = _meeting(faces[0], faces[1])
@@ -197,13 +197,13 @@ def _round(point: complex, middle: complex) -> float:
 
 
 def _meeting(one: Surface, other: Surface) -> complex:
-    """Return where two surfaces meet."""
+    """Return the intersection of two surfaces."""
     a, u, b, v = one.touched[0], one.along, other.touched[0], other.along
     return a + u * cross(b - a, v) / cross(u, v)
 
 
 def _curved(setting: Setting, face: Face, found: Sketch) -> None:
-    """A round track about the origin of a body's frame: inside or outside of what lies on it."""
+    """Draw a circular track about the origin of a body's frame, inside or outside the body on it."""
     center = setting.view.at(vector(setting.frames[face.subject].origin))
     at = setting.at(face.subject)
     outward = dot(setting.view.way(vector(setting.frames.normal(face.subject))), at - center) > 0.0
@@ -220,7 +220,7 @@ def _curved(setting: Setting, face: Face, found: Sketch) -> None:
 
 
 def _walls(setting: Setting, found: Sketch) -> None:
-    """Ground and walls that bodies may meet, and what a body stands on without lying there."""
+    """Draw the ground and walls that bodies may hit, and supports of bodies that stand on edges."""
     standing = {
         setting.mechanism.site[site].body
         for line in setting.lines
@@ -250,7 +250,7 @@ def _walls(setting: Setting, found: Sketch) -> None:
 
 
 def _stand(setting: Setting, ends: tuple[str, ...], found: Sketch) -> None:
-    """The ground below what may leave it upwards."""
+    """Draw the ground below bodies that may lift off."""
     for site, other in (ends, ends[::-1]):
         body = setting.mechanism.site[other].body
         if setting.mechanism.site[site].body is None and body is not None:
@@ -264,7 +264,7 @@ def _stand(setting: Setting, ends: tuple[str, ...], found: Sketch) -> None:
 
 
 def _note(setting: Setting, address: str, tilt: float, found: Sketch) -> None:
-    """What a view from above can't show."""
+    """Warn of a feature that a view from above cannot show."""
     setting.drawn.add(address)
     if tilt:
         text = f"tilted at {setting.stated(owner_of(address), 'deg', tilt)}; y points up the slope"

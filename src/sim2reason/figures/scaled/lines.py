@@ -1,4 +1,4 @@
-"""Strings, springs, rods and arms between the points that they join, and what holds their ends."""
+"""Strings, springs, rods and arms between their end points, and the supports of their ends."""
 
 from cmath import phase, rect
 from collections.abc import Iterator
@@ -16,14 +16,14 @@ from sim2reason.figures.vectors import RIGHT, UP, cross, dot, rectangle, unit
 from sim2reason.scenes.dsl.body import Axial, Capped, PulleyWheel, Rectangular, Silhouette, Slender, Small, Spherical
 from sim2reason.scenes.dsl.mechanism import Elastic, Line, Prop, Rigid, RigidBody
 
-NAIL, PIVOT, PLATE = 0.07, 0.09, 0.25  # radius of a nail and of a pivot, and how far behind it a wall is
+NAIL, PIVOT, PLATE = 0.07, 0.09, 0.25  # units: radii of a nail and of a pivot, and distance of the wall behind it
 ARROW = 1.2
-FINE = 0.2  # how long the straight pieces of an arc are
+FINE = 0.2  # units, length of the straight segments of an arc
 NEAR = 1e-6
 
 
 def look_of(setting: Setting, line: Line) -> str:
-    """Return how a line is drawn: as its connection or its body says, else by its law."""
+    """Return the look of a line as declared by its connection or body, else by its force law."""
     joint = setting.plan.scene.joints.get(line.whole)
     if joint is not None:
         return joint.connection.look
@@ -42,7 +42,7 @@ def look_of(setting: Setting, line: Line) -> str:
 
 
 def lines(setting: Setting, front: Sketch) -> Sketch:
-    """All lines with the supports of their ends and the arms of what turns; axles and joints go to the `front`."""
+    """Return the sketch of all lines with supports and arms; axles and joints go to the sketch `front`."""
     found = Sketch()
     for line in setting.lines:
         look = look_of(setting, line)
@@ -69,7 +69,7 @@ def lines(setting: Setting, front: Sketch) -> Sketch:
 
 
 def _around(setting: Setting, line: Line, ends: tuple[str, str], found: Sketch) -> None:
-    """A coil along the circle on which two bodies turn, and the circle, once."""
+    """Draw a coiled spring along the circle on which two bodies move, and the circle once."""
     middle = setting.view.at(vector(setting.frames[ends[0]].origin))
     a, b = (setting.at(end) - middle for end in ends)
     whole = Arc(middle, round(abs(a), 6), weight="thin")  # rounded, since all bodies are on the same one
@@ -91,13 +91,13 @@ def _around(setting: Setting, line: Line, ends: tuple[str, str], found: Sketch) 
 
 
 def _shares(long: float) -> Iterator[float]:
-    """Return where a straight stroke that becomes an arc is divided."""
+    """Yield the fractions at which a straight stroke is divided to become an arc."""
     count = 1 + int(long / FINE)
     return (n / count for n in range(count))
 
 
 def _radius(setting: Setting, ends: tuple[str, str], middle: complex, found: Sketch) -> None:
-    """The radius of a circle on which bodies turn, half way between two of them, if it is stated."""
+    """Draw the stated radius of the circle on which bodies move, half way between two of them."""
     a, b = (setting.at(end) - middle for end in ends)
     owner = ends[0].split(".", maxsplit=1)[0]
     text = setting.stated(owner, setting.mechanism.units.length, abs(a) / setting.view.scale)
@@ -108,7 +108,7 @@ def _radius(setting: Setting, ends: tuple[str, str], middle: complex, found: Ske
 
 
 def strokes(setting: Setting, line: Line, look: str, points: list[complex]) -> Iterator[Shape]:
-    """Yield the line itself, from site to site."""
+    """Yield the shapes of a line through its sites."""
     for number, (a, b) in enumerate(pairwise(points)):
         if abs(b - a) < NEAR:
             continue
@@ -121,7 +121,7 @@ def strokes(setting: Setting, line: Line, look: str, points: list[complex]) -> I
 
 
 def _named(setting: Setting, address: str, points: list[complex]) -> list[Wanted]:
-    """Return the name of a line that is a body, and its stated length, beside its middle."""
+    """Return the labels of a line that is a body: its name and stated length, beside its middle."""
     a, b = max(pairwise(points), key=lambda pair: abs(pair[1] - pair[0]))
     found: list[Wanted] = []
     body = setting.bodies.get(address)
@@ -137,7 +137,7 @@ def _named(setting: Setting, address: str, points: list[complex]) -> list[Wanted
 
 
 def beside(a: complex, b: complex, text: str, size: float, far: float = 0.2) -> Iterator[complex]:
-    """Places for a text beside a stroke, from its middle outwards."""
+    """Yield candidate positions of a label beside a stroke, from its middle outwards."""
     way, wide = unit(b - a), 0.5 * width(text, size)
     for more in (0.0, 0.5):
         for along in (0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2):
@@ -147,7 +147,7 @@ def beside(a: complex, b: complex, text: str, size: float, far: float = 0.2) -> 
 
 
 def _held(setting: Setting, site: str, inward: complex, found: Sketch) -> None:
-    """What holds an end that is fixed in the room: a wall or ceiling, a nail, or what draws a string in."""
+    """Draw the support of a fixed end: a wall or ceiling, a nail, or a winch."""
     if setting.mechanism.site[site].body is not None:
         return
     at, builder = setting.site(site), setting.plan.scene.builder
@@ -168,14 +168,14 @@ def _held(setting: Setting, site: str, inward: complex, found: Sketch) -> None:
 
 
 def behind(inward: complex) -> complex:
-    """Up, to a side or down: where the wall is to which something is fixed that lies `inward`."""
+    """Return the direction of the support (up, sideways or down) of a fixed end whose line lies `inward`."""
     if inward.imag < -0.35:
         return UP
     return max((RIGHT, -RIGHT, -UP), key=lambda way: -dot(way, inward))
 
 
 def _arm(setting: Setting, body: RigidBody, found: Sketch, front: Sketch) -> None:
-    """What turns about an axle: a bar from there to all that it carries, and the axle."""
+    """Draw a body on an axle: bars from the axle to all that it carries, and the axle."""
     sized = isinstance(setting.look(body.name), Spherical | Axial | Capped | Rectangular | Silhouette)
     if body.name in setting.mechanism.contacts or isinstance(setting.look(body.name), PulleyWheel):
         return
@@ -204,7 +204,7 @@ def _arm(setting: Setting, body: RigidBody, found: Sketch, front: Sketch) -> Non
 
 
 def pieces_on(setting: Setting, arm: RigidBody) -> list[str]:
-    """Return what is welded to an arm: bodies of a stated size, whose distances from the axle are stated, too."""
+    """Return the addresses of bodies of stated size on an arm whose distances from the axle are stated."""
     sized = Spherical | Axial | Capped | Rectangular | Silhouette
     return [
         body.name for body in setting.members if body.parent == arm.name and isinstance(setting.look(body.name), sized)
@@ -212,7 +212,7 @@ def pieces_on(setting: Setting, arm: RigidBody) -> list[str]:
 
 
 def _lettered(setting: Setting, address: str, pivot: complex, far: complex, found: Sketch) -> None:
-    """The name of an arm that is itself a body."""
+    """Draw the name of an arm that is itself a body."""
     body = setting.bodies.get(address)
     if body is not None and isinstance(body.look, Slender) and body.letters:
         text = setting.plan.name(address)
@@ -221,7 +221,7 @@ def _lettered(setting: Setting, address: str, pivot: complex, far: complex, foun
 
 
 def _ends(setting: Setting, body: RigidBody) -> Iterator[complex]:
-    """Yield where the arm of a body leads: to its own mass, to what it carries, to its sites."""
+    """Yield the end points of a body's arm: its own mass, the bodies it carries, its sites."""
     if body.mass > 0.0:
         yield setting.at(body.name)
     carried = (other for other in setting.members if other.parent == body.name)

@@ -20,12 +20,12 @@ from sim2reason.scenes.dsl.mechanism import RigidBody
 from sim2reason.simulation.quantities.subjects.paths import rim_of
 
 CLEAR, APART = 0.3, 0.42  # units, from a piece to the first line of dimension and from that to the next
-NONE = 1e-6  # degrees
+NONE = 1e-6  # degrees; a smaller angle is not drawn
 ARC = 0.35  # units beyond the body at which an angle is marked
 
 
 def stated(setting: Setting) -> Sketch:
-    """Return all of them."""
+    """Return the sketch of all stated distances, angles and friction coefficients."""
     found = Sketch()
     if not setting.view.level:
         for body in setting.members:
@@ -39,7 +39,7 @@ def stated(setting: Setting) -> Sketch:
 
 
 def _pieces(setting: Setting, arm: RigidBody, found: Sketch) -> None:
-    """The distance of each of several pieces from the axle of their arm, beside it, the nearest one innermost."""
+    """Draw the distances of several bodies on an arm from its axle, the shortest dimension line innermost."""
     pieces = pieces_on(setting, arm)
     if len(pieces) < 2:
         return  # its one distance stands at the arm itself
@@ -56,7 +56,7 @@ def _pieces(setting: Setting, arm: RigidBody, found: Sketch) -> None:
 
 
 def _dimension(start: complex, end: complex, by: complex, text: str, subject: str, found: Sketch) -> None:
-    """A double arrow beside what it measures, with fine lines to both ends."""
+    """Draw a double arrow beside a distance, with thin lines to both ends."""
     middle = 0.5 * (start + end) + by
     found.shapes += [LineShape((middle, tip + by), "hair", arrow=True) for tip in (start, end)]
     found.shapes += [LineShape((tip, tip + 1.05 * by), "hair") for tip in (start, end)]
@@ -91,7 +91,7 @@ def _bearing(setting: Setting, body: RigidBody, found: Sketch) -> None:
 
 
 def _turned(setting: Setting) -> Iterator[tuple[str, str]]:
-    """Yield where strings leave a body for a point of its entity in the room round which they turn."""
+    """Yield the sites where a string leaves a body, each with the site of the fixed pulley it leads to."""
     for line in setting.mechanism.lines:
         for one, other in ((line.through[:2]), line.through[:-3:-1]):
             ends = setting.mechanism.site[one].body, setting.mechanism.site[other].body
@@ -101,7 +101,7 @@ def _turned(setting: Setting) -> Iterator[tuple[str, str]]:
 
 
 def _leaving(setting: Setting, site: str, wheel: str, found: Sketch) -> None:
-    """How far a point is to which a string leads, and the angle of the string to the level, if both are stated."""
+    """Draw the stated distance of the pulley that a string leads to, and the string's angle to the horizontal."""
     start, end = setting.site(site), setting.site(wheel)
     way, owner = unit(end - start), owner_of(site)
     text = setting.stated(owner, setting.mechanism.units.length, abs(end - start) / setting.view.scale)
@@ -123,7 +123,7 @@ def _leaving(setting: Setting, site: str, wheel: str, found: Sketch) -> None:
 
 
 def _rubbing(setting: Setting, upper: str, lower: str, found: Sketch) -> None:
-    """The friction between two slabs, at either end of the face where they touch."""
+    """Draw the stated friction between two slabs, at one end of their contact face."""
     names = sorted(setting.plan.name(address) for address in (upper, lower))
     letter = rf"$\mu_{{{names[0]}{names[1]}}}$" if max(map(len, names)) == 1 else "µ"
     text = setting.plan.rubbing(owner_of(upper), setting.mechanism.contacts[upper], letter)
@@ -137,11 +137,11 @@ def _rubbing(setting: Setting, upper: str, lower: str, found: Sketch) -> None:
 
 
 WHEEL = 0.16  # units, the least radius of a pulley
-ELSEWHERE = (Slender, Unseen, Globe, Tabletop)  # drawn where the mechanism shows them, not at a place of their own
+ELSEWHERE = (Slender, Unseen, Globe, Tabletop)  # looks drawn by other modules, not at the body's position
 
 
 def scaled(setting: Setting) -> Sketch:
-    """Entities and connections, drawn to scale in one piece."""
+    """Return the sketch of some entities and connections, drawn to scale."""
     found, front = Sketch(), Sketch()
     found.extend(fields(setting))
     found.extend(axes(setting))
@@ -165,7 +165,7 @@ def scaled(setting: Setting) -> Sketch:
 
 
 def _pulley(setting: Setting, address: str) -> Sketch:
-    """Return a wheel between the two points of its rim, with its axle and its name."""
+    """Return the sketch of a pulley between the two points of its rim, with its axle and name."""
     sides = rim_of(setting.mechanism, address)
     if sides is None:
         return Sketch()
@@ -181,7 +181,7 @@ def _pulley(setting: Setting, address: str) -> Sketch:
 
 
 def _strangers(setting: Setting, found: Sketch) -> None:
-    """What a text names and nothing above has drawn, below everything else."""
+    """Draw the bodies of the text that nothing above has drawn, below everything else."""
     left, low, _, _ = box([point for shape in found.shapes for point in outline(shape)] or [0j])
     named = {wanted.subject for wanted in found.labels if wanted.name}
     missing = [a for a, body in setting.bodies.items() if body.letters and a not in named]
@@ -191,7 +191,7 @@ def _strangers(setting: Setting, found: Sketch) -> None:
 
 
 def _legend(setting: Setting, found: Sketch) -> None:
-    """The scale of the velocities, below the right end of everything."""
+    """Draw the scale of the velocities, below the right end of the drawing."""
     if setting.legend is None:
         return
     long, text = setting.legend
@@ -203,10 +203,10 @@ def _legend(setting: Setting, found: Sketch) -> None:
 
 
 class ScaledPiece(Piece):
-    """A group of entities whose shape is not changed by the layout."""
+    """A group of entities drawn to scale, whose shape the layout does not change."""
 
     def __init__(self, name: str, plan: DrawingPlan, group: frozenset[str]) -> None:
-        """Draw it once, however often it is placed."""
+        """Draw the group once, for all positions."""
         super().__init__(name, plan)
         self.setting = Setting(plan, group)
         self.picture = scaled(self.setting)
@@ -214,11 +214,11 @@ class ScaledPiece(Piece):
         self.outlines = [found for shape in solid if len(found := hull(outline(shape))) > 1]
 
     def anchor(self, knot: PathKnot, way: complex, *, second: bool) -> complex:
-        """Return the port's site, or where the strand comes out of the body there."""
+        """Return the port's site, or the point where the strand leaves the body there."""
         return self.setting.edge(knot.leaves if second else knot.arrives, way)
 
     def hulls(self) -> list[Polygon]:
-        """Return every shape of it."""
+        """Return the outlines of all shapes."""
         return self.outlines
 
     def sketch(self) -> Sketch:

@@ -1,4 +1,4 @@
-"""Forces on single bodies, and fields of force with the regions in which they act."""
+"""Forces on single bodies, and force fields with their regions."""
 
 import math
 from cmath import phase
@@ -18,19 +18,19 @@ from sim2reason.scenes.dsl.mechanism import ZERO, Force
 from sim2reason.scenes.dsl.vectors import BoxRegion as Slab
 from sim2reason.scenes.dsl.vectors import DiscRegion, HalfSpace, Region, Vector, add, inner, scale
 
-LONG, BASE = 1.3, 1.1  # units: an arrow, and the line from which its angle is counted
-FLAT = 1e-6  # deg or units: none
+LONG, BASE = 1.3, 1.1  # units: length of an arrow, and of the line from which its angle is measured
+FLAT = 1e-6  # degrees or units; smaller values count as zero
 
 
 def is_push(setting: Setting, force: Force) -> bool:
-    """Return whether a force is constant in space and time and acts on a body without a charge."""
+    """Return whether a force is constant in space and time and acts on an uncharged body."""
     look = setting.look(force.body)
     charged = isinstance(look, Small) and bool(look.mark)
     return isinstance(force.law, Push) and force.law.constant and force.region is None and not charged
 
 
 def pushes(setting: Setting) -> Sketch:
-    """Return an arrow for each constant force, from the body's rim, with the stated magnitude and angle."""
+    """Draw an arrow for each constant force at the body's rim, with its stated magnitude and angle."""
     found = Sketch()
     for force in setting.mechanism.forces:
         if setting.owns(force.body) and is_push(setting, force):
@@ -72,13 +72,13 @@ def _bases(setting: Setting, name: str) -> list[complex]:
 
 PITCH, MARK, ARROW = 1.15, 0.09, 0.55  # units between marks, half the size of a cross, the length of an arrow
 CIRCLE = 48
-FAR = 1e3  # units: beyond every drawing
+FAR = 1e3  # units, beyond every drawing
 NEGATIVE = "\N{MINUS SIGN}"
-SOON, FAINT = 1e-3, 1e-12  # s, and what is no field
+SOON, FAINT = 1e-3, 1e-12  # s after the start at which a field is evaluated; smallest field that is drawn
 
 
 def fields(setting: Setting) -> Sketch:
-    """Return the regions, and the marks of every field that has a direction."""
+    """Draw the regions, and the marks of every field with a direction."""
     found = Sketch()
     for region, _ in setting.regions():
         outline = border(setting, region)
@@ -93,7 +93,7 @@ def fields(setting: Setting) -> Sketch:
 
 
 def _marks(setting: Setting, force: Force, shift: complex, found: Sketch, letters: set[str]) -> bool:
-    """Return a field's marks on a grid, and its letter at one of them; whether there are any."""
+    """Draw the marks of a field on a grid, one with its letter; return whether there are any."""
     places = _grid(spread(setting), shift)
     inside = [at for at in places if force.region is None or _inside(setting, force.region, at)]
     shown = [mark for at in inside if (mark := mark_at(setting, force, at)) is not None]
@@ -117,7 +117,7 @@ def _grid(area: tuple[float, float, float, float], shift: complex) -> Iterator[c
 
 
 def mark_at(setting: Setting, force: Force, at: complex) -> tuple[str, list[Shape]] | None:
-    """Return the letter of a field and its mark at a place; None where it is zero, or has no direction of its own."""
+    """Return the letter and the mark of a field at a position; None where it is zero or has no direction."""
     sign = _charged(setting, force.body)
     unit_charge = -1.0 if sign == NEGATIVE else 1.0
     for time in (0.0, SOON):  # of a field that grows from nothing, the way in which it points next
@@ -129,10 +129,10 @@ def mark_at(setting: Setting, force: Force, at: complex) -> tuple[str, list[Shap
 
 
 def parts(setting: Setting, law: Law, where: Vector, time: float) -> tuple[Vector, Vector]:
-    """Return what a law does to what rests, and the field square to the velocity of what moves, as far as it has one.
+    """Return the force of a law on a body at rest, and its magnetic field B with F = v × B, as vectors.
 
-    From F = v × B for v along the two sides of the page and out of it, drag having no part square to v:
-    B = (y·F(z), z·F(x), x·F(y)), where x, y, z are the three directions.
+    The magnetic field follows from the force F(v) on velocities along the page's two axes x, y and out of the page z,
+    since drag is parallel to v: B = (y·F(z), z·F(x), x·F(y)).
     """
     x, y, z = setting.view.right, setting.view.up, setting.view.towards
 
@@ -145,7 +145,7 @@ def parts(setting: Setting, law: Law, where: Vector, time: float) -> tuple[Vecto
 
 
 def _symbol(setting: Setting, strength: Vector, at: complex) -> list[Shape]:
-    """Return a cross into the page, a dot out of it, else an arrow."""
+    """Return a cross for a vector into the page, a dot for one out of it, else an arrow."""
     out, way = inner(setting.view.towards, strength), setting.view.way(strength)
     if abs(way) > abs(out):
         half = 0.5 * ARROW * unit(way)
@@ -157,13 +157,13 @@ def _symbol(setting: Setting, strength: Vector, at: complex) -> list[Shape]:
 
 
 def _charged(setting: Setting, body: str) -> str:
-    """Return the sign of the charge of a body; empty if it has none."""
+    """Return the sign of a body's charge; an empty text if it has none."""
     look = setting.look(body)
     return look.mark if isinstance(look, Small) else ""
 
 
 def place(setting: Setting, at: complex) -> Vector:
-    """Return the place of the room that a point of the page shows."""
+    """Return the position in the world frame of a point of the page."""
     view = setting.view
     return add(scale(at.real / view.scale, view.right), scale(at.imag / view.scale, view.up))
 
@@ -173,7 +173,7 @@ def _inside(setting: Setting, region: Region, at: complex) -> bool:
 
 
 def border(setting: Setting, region: Region) -> Polygon:
-    """The outline of a region on the page, as far as the drawing goes; empty for a kind of region that is not known."""
+    """Return the outline of a region on the page, clipped to the drawing; empty for unknown kinds of regions."""
     view, (left, low, right, high) = setting.view, spread(setting)
     page: Polygon = (complex(left, low), complex(right, low), complex(right, high), complex(left, high))
     if isinstance(region, DiscRegion):

@@ -1,4 +1,4 @@
-"""Rails and guides, boxes with others on them and at their sides, and small pulleys that no text names."""
+"""Rails and guides, boxes with bodies on top and beside them, and small pulleys not named in the text."""
 
 from cmath import phase
 from collections.abc import Iterator
@@ -14,15 +14,15 @@ from sim2reason.figures.vectors import RIGHT, UP, cross, unit
 from sim2reason.scenes.dsl.body import BigBox, Small
 from sim2reason.scenes.dsl.mechanism import RigidBody
 
-RAIL = 2.0  # units on either side of what it leads
+RAIL = 2.0  # units of rail on either side of a guided body
 WHEEL = 0.24  # radius of a small pulley
-GAP, FOOT, ROOM = 0.1, 0.6, 0.5  # units between a box and what slides at it, below that, and beside what lies on top
+GAP, FOOT, ROOM = 0.1, 0.6, 0.5  # units: beside a box, below bodies beside it, and beside bodies on it
 FLAT = 1e-6
-TILTED = 2.2  # units, the level line at the foot of a rail
+TILTED = 2.2  # units, length of the horizontal line at the foot of a rail
 
 
 def rides(setting: Setting, body: RigidBody) -> bool:
-    """Return whether a small body is led along a straight line that is not upright, though it presses on nothing."""
+    """Return whether a small body is guided along a line that is not vertical, without a surface below it."""
     look, slides = setting.look(body.name), [c for c in body.coordinates if c.kind == "slide"]
     if not isinstance(look, Small) or body.name in setting.mechanism.contacts or setting.view.level:
         return False
@@ -31,7 +31,7 @@ def rides(setting: Setting, body: RigidBody) -> bool:
 
 
 def walls(setting: Setting, point: complex, way: complex, on: str | None = None) -> Iterator[complex]:
-    """Yield the ends of lines on the rail through `point` that are fixed in the room, or to the body `on`."""
+    """Yield the ends on the rail through `point` of lines that are fixed to the ground or to the body `on`."""
     for line in setting.lines:
         for site in (line.through[0], line.through[-1]):
             at = setting.site(site)
@@ -40,7 +40,7 @@ def walls(setting: Setting, point: complex, way: complex, on: str | None = None)
 
 
 def rails(setting: Setting) -> Sketch:
-    """Return all of these, behind what they lead."""
+    """Return the sketch of all rails, guides, boxes and unnamed pulleys, behind the bodies."""
     found = Sketch()
     riding: dict[tuple[float, float], list[RigidBody]] = {}
     for body in setting.members:
@@ -59,7 +59,7 @@ def rails(setting: Setting) -> Sketch:
 
 
 def _rail(setting: Setting, group: list[RigidBody], found: Sketch) -> None:
-    """Below what runs on wheels, has lines along it or neighbours; else through the middle."""
+    """Draw a rail: below carts and bodies with lines or neighbours along it, else through the body's middle."""
     body = group[0]
     way, at, look = setting.along(body.name), setting.at(body.name), setting.look(body.name)
     faces = setting.plan.scene.builder.faces
@@ -88,7 +88,7 @@ def _tilt(setting: Setting, body: RigidBody, low: complex, way: complex, found: 
 
 
 def _stops(setting: Setting, group: list[RigidBody], way: complex, at: complex) -> Iterator[float]:
-    """Yield where walls are that bodies on a rail may hit, along it from `at`."""
+    """Yield the positions of walls that bodies on a rail may hit, relative to `at`."""
     names = {body.name for body in group}
     for meeting in setting.mechanism.meetings:
         if meeting.a is None and meeting.normal is not None and meeting.b in names:
@@ -102,7 +102,7 @@ def _carries(setting: Setting, body: RigidBody) -> bool:
 
 
 def _box(setting: Setting, address: str, found: Sketch) -> None:
-    """Its outline, the guides at its sides, and the floor."""
+    """Draw the outline of a box, the guides at its sides, and the floor."""
     held = [body for body in setting.members if body.parent == address]
     lying = [body for body in held if body.name in setting.mechanism.contacts]
     sliding = [body for body in held if body not in lying]
@@ -132,7 +132,7 @@ def _box(setting: Setting, address: str, found: Sketch) -> None:
 
 
 def _eyes(setting: Setting, address: str, sides: dict[float, float], found: Sketch) -> None:
-    """Short arms from a box to where strings are tied to it, and to the pulleys at its edges."""
+    """Draw short arms from a box to the ends of strings on it, and to the pulleys at its edges."""
     ends = {site for line in setting.mechanism.lines for site in (line.through[0], line.through[-1])}
     for site in setting.mechanism.sites:
         at, bends = setting.site(site.name), {name: (a, b) for name, a, b in _bends(setting)}
@@ -147,7 +147,7 @@ def _eyes(setting: Setting, address: str, sides: dict[float, float], found: Sket
 
 
 def _bends(setting: Setting) -> Iterator[tuple[str, complex, complex]]:
-    """Yield the sites at which strings turn though no pulley of the text is there, with both ways away from them."""
+    """Yield the sites without named pulleys at which strings bend, with both directions away from them."""
     for line in setting.mechanism.lines:
         for (before, _), (site, after) in pairwise(pairwise(line.through)):
             if setting.owns(site) and not is_pulley(setting.plan.scene.bodies.get(site.rpartition(".")[0])):
@@ -157,7 +157,7 @@ def _bends(setting: Setting) -> Iterator[tuple[str, complex, complex]]:
 
 
 def _way(setting: Setting, site: str, other: str) -> complex:
-    """Return the direction from a site to its neighbour on a string, which may be elsewhere."""
+    """Return the direction from a site to its neighbour on a string."""
     if setting.owns(other):
         return unit(setting.site(other) - setting.site(site))
     facing = setting.plan.scene.builder.faces.get(site)
@@ -165,13 +165,13 @@ def _way(setting: Setting, site: str, other: str) -> complex:
 
 
 def _axle(at: complex, before: complex, after: complex) -> complex:
-    """Return the middle of a small wheel that touches both parts of a string."""
+    """Return the centre of a small pulley that touches both segments of a string."""
     middle = unit(before + after)
     return at + WHEEL / abs(cross(middle, after)) * middle
 
 
 def _wheel(setting: Setting, site: str, before: complex, after: complex, found: Sketch) -> None:
-    """A small wheel inside the bend of a string, held from outside."""
+    """Draw a small pulley inside the bend of a string, supported from outside."""
     at = _axle(setting.site(site), before, after)
     if setting.mechanism.site[site].body is None:
         found.shapes += plate(-UP if (before + after).imag > 0.0 else UP, at, 0.45, 0.6)

@@ -1,4 +1,4 @@
-"""What all parts of a drawing to scale know: whose it is, the view, and where things stand and how they move."""
+"""Context of a drawing to scale: its owners, view, and the positions and velocities of bodies on the page."""
 
 import math
 from collections.abc import Iterator
@@ -15,29 +15,29 @@ from sim2reason.scenes.dsl.mechanism import Elastic, Line, RigidBody, X, Y, Z
 from sim2reason.scenes.dsl.vectors import BoxRegion, DiscRegion, HalfSpace, Region, Triple, Vector, add, inner, scale
 
 UPRIGHT: Axes = (X, Y, Z)
-RADII = {"ball": 0.24, "puck": 0.3, "star": 0.38, "planet": 0.2}  # units, of round things whose size does not matter
+RADII = {"ball": 0.24, "puck": 0.3, "star": 0.38, "planet": 0.2}  # units, of round bodies whose size does not matter
 OBLONG = ("block", "slab", "cart")
-BESIDE = (*OBLONG, "sphere")  # what stands on a track
+BESIDE = (*OBLONG, "sphere")  # bodies that stand on a track
 SLAB, SLAB_LENGTH, SLAB_STEP = (
     0.62,
     1.5,
     0.9,
 )  # units: the height of a slab, its length, and how much longer one below is
 NARROW = 0.45  # units, the least width of a block
-THIN_BULK = 0.27  # of the length of what is long and thin
-STEEP = 0.1  # the cosine below which a body slides up and down rather than along
+THIN_BULK = 0.27  # times the length of a thin body
+STEEP = 0.1  # cosine to the horizontal below which a body slides vertically
 
 
 def vector(triple: Triple) -> Vector:
-    """Three numbers as floats."""
+    """Return three numbers as floats."""
     return (float(triple[0]), float(triple[1]), float(triple[2]))
 
 
 class Setting:
-    """The part of a scene that is drawn to scale in one piece."""
+    """The geometry of the part of a scene that is drawn to scale in one piece."""
 
     def __init__(self, plan: DrawingPlan, owners: frozenset[str]) -> None:
-        """`owners` are the entities and connections that are drawn."""
+        """Choose the view for the given entities and connections."""
         self.plan, self.owners = plan, owners
         self.mechanism = plan.paths.mechanism
         rest, speeds = zip(*((0.0, c.speed) for c in self.mechanism.coordinates), strict=True)
@@ -62,51 +62,51 @@ class Setting:
         self.legend: tuple[float, str] | None = None  # how long an arrow is, and for which speed
 
     def owns(self, address: str) -> bool:
-        """Return whether something with this address belongs to the drawing."""
+        """Return whether the object at an address belongs to this drawing."""
         return address.split(".", maxsplit=1)[0] in self.owners
 
     @cached_property
     def bodies(self) -> dict[str, Body]:
-        """The bodies of the text that are to be drawn."""
+        """Return the bodies of the text in this drawing, by address."""
         return {address: body for address, body in self.plan.scene.bodies.items() if self.owns(address)}
 
     def look(self, address: str) -> BodyLook | None:
-        """Return how a body looks; None for what is no body of the text, or has no look."""
+        """Return the look of a body; None if the address is no body of the text, or its class has no look."""
         body = self.bodies.get(address)
         return None if body is None else body.look
 
     def stands(self, address: str) -> bool:
-        """Return whether the mechanism has a body at an address."""
+        """Return whether the mechanism has a rigid body at an address."""
         return address in self.mechanism.body
 
     def place(self, address: str) -> Vector:
-        """Where a body stands: a small one at its centre of mass, one with extent at the origin of its own axes."""
+        """Return the position of a body: its centre of mass, or the origin of an extended body's axes."""
         if isinstance(self.look(address), Spherical | Axial | Capped | Rectangular | Silhouette):
             return vector(self.frames[address].origin)
         return vector(self.frames.center(address).place)
 
     def at(self, address: str) -> complex:
-        """Return the same on the page."""
+        """Return the position of a body on the page."""
         return self.view.at(self.place(address))
 
     def site(self, name: str) -> complex:
-        """Return a site on the page."""
+        """Return the position of a site on the page."""
         return self.view.at(vector(self.frames.site(name).place))
 
     def velocity(self, address: str) -> complex:
-        """Return how fast a body moves at the start, in the units of the text."""
+        """Return the initial velocity of a body on the page, in units of the text."""
         return self.view.way(vector(self.moving.center(address).velocity))
 
     def axes(self, address: str) -> Axes:
-        """Return where the own axes of a body point."""
+        """Return the directions of a body's own axes in the world frame."""
         return self.plan.scene.builder.turned.get(address, UPRIGHT)
 
     def origin(self, owner: str) -> Vector:
-        """Return where an entity stands."""
+        """Return the position of an entity's origin in the world frame."""
         return self.plan.scene.builder.origins.get(owner, (0.0, 0.0, 0.0))
 
     def extent(self, address: str) -> float:
-        """Return the radius of a body that the text or its collisions give; 0 where it does not matter."""
+        """Return the radius of a body from the text or its collisions; 0 where it does not matter."""
         match self.look(address):
             case Spherical(radius):
                 return radius
@@ -123,7 +123,7 @@ class Setting:
                 return 0.5 * min((m.distance for m in meetings), default=0.0)
 
     def _bulk(self, address: str) -> float:
-        """Half the size of a body that is not to fill the page: less than half its length if it is thin."""
+        """Return half the size of a body for the choice of the scale; less for thin bodies."""
         match self.look(address):
             case Axial(radius, height):
                 return max(radius, THIN_BULK * height)
@@ -136,12 +136,12 @@ class Setting:
 
     @cached_property
     def stacked(self) -> dict[str, str]:
-        """By small body that lies on another small one the name of that."""
+        """Return the address of the small body below each small body that lies on another one."""
         held = {f.subject: self.mechanism.body[f.subject].parent for f in self.mechanism.faces if self.owns(f.subject)}
         return {a: b for a, b in held.items() if b is not None and isinstance(self.look(b), Small)}
 
     def sizes(self, address: str) -> tuple[float, float]:
-        """Return the width and height of a block, in units; of slabs the lower one is the longer one."""
+        """Return the width and height of a block, in units; of stacked slabs the lower one is longer."""
         look, usual = self.look(address), self.plan.sizes
         if not isinstance(look, Small) or look.kind != "slab":
             return min(usual.width, self._near(address)), usual.height
@@ -151,7 +151,7 @@ class Setting:
         return SLAB_LENGTH + SLAB_STEP * above, SLAB
 
     def _near(self, address: str) -> float:
-        """Return a little less than the distance to the nearest block beside this one, in units; but not too little."""
+        """Return slightly less than the distance to the nearest neighbouring block, in units, with a minimum."""
         look = self.look(address)
         oblong = [a for a in self.bodies if isinstance(other := self.look(a), Small) and other.kind in BESIDE]
         if not isinstance(look, Small):
@@ -160,14 +160,14 @@ class Setting:
         return max(NARROW, 0.9 * min((abs(way) for way in ways if abs(way.imag) < abs(way.real)), default=math.inf))
 
     def radius(self, address: str) -> float:
-        """Return the radius with which a body is drawn, in units: of a block, half its height."""
+        """Return the drawn radius of a body, in units; of a block, half its height."""
         look, real = self.look(address), self.extent(address)
         if isinstance(look, Small):
             return max(RADII.get(look.kind, 0.5 * self.sizes(address)[1]), self.view.scale * real)
         return self.view.scale * real
 
     def along(self, address: str) -> complex:
-        """Return the way in which a block lies: along its face or its rail, else level."""
+        """Return the direction of a block's long side: along its face or rail, else horizontal."""
         face = self.mechanism.contacts.get(address)
         slides = [c for c in self.mechanism.body[address].coordinates if c.kind == "slide"]
         if (face is None or face.turning) and len(slides) != 1:
@@ -178,11 +178,11 @@ class Setting:
         return (way if way.real >= 0.0 else -way) / (abs(way) or 1.0)
 
     def edge(self, site: str, way: complex) -> complex:
-        """Return where a line that leaves a site along a unit vector comes out of the body, if that is a small one."""
+        """Return the point where a line from a site along a unit vector leaves the drawn body."""
         return self.rim(self.mechanism.site[site].body, self.site(site), way)
 
     def rim(self, body: str | None, at: complex, way: complex) -> complex:
-        """Return the same for a place on a body."""
+        """Return the point where a line from a position on a body along a unit vector leaves the drawn body."""
         look = None if body is None else self.look(body)
         if body is None or not isinstance(look, Small) or abs(at - self.at(body)) > LIKE:
             return at
@@ -194,7 +194,7 @@ class Setting:
         return at + far * way
 
     def regions(self) -> Iterator[tuple[Region, str]]:
-        """Yield the regions outside which forces cease, each once, with a body on which they act."""
+        """Yield the regions that bound forces, without repetitions, each with a body on which the force acts."""
         found: list[Region] = []
         for force in self.mechanism.forces:
             if force.region is not None and self.owns(force.body) and force.region not in found:
@@ -202,18 +202,18 @@ class Setting:
                 yield force.region, force.body
 
     def stated(self, owner: str, unit: str, value: float) -> str:
-        """Return a number of an entity as the text has it, if one of that size and unit is stated; else nothing."""
+        """Return a stated number of an entity with that unit and value, or an empty text."""
         return self.plan.stated(owner, unit, value)
 
     def once(self, owner: str, unit: str, value: float) -> str:
-        """Return the same, but nothing if the drawing has shown this number before."""
+        """Return a stated number as `stated` does, but an empty text if the drawing already shows it."""
         text = self.stated(owner, unit, value)
         new = (owner, text) not in self._shown
         self._shown.add((owner, text))
         return text if new else ""
 
     def _places(self) -> Iterator[Vector]:
-        """Yield what must be in sight."""
+        """Yield the positions that the drawing must include."""
         for body in self.members:
             yield self.place(body.name)
             if any(c.kind == "hinge" for c in body.coordinates):
@@ -236,20 +236,20 @@ class Setting:
             yield from (self.origin(owner) for owner in self.owners if owner in self.plan.scene.builder.origins)
 
     def _turns(self) -> Iterator[Vector]:
-        """Points of the room that strings pass, wherever their ends are."""
+        """Yield the fixed points that strings pass, even if their ends are outside the drawing."""
         for line in self.mechanism.lines:
             for site in line.through[1:-1]:
                 if self.owns(site) and self.mechanism.site[site].body is None:
                     yield vector(self.frames.site(site).place)
 
     def track(self, address: str) -> list[Vector]:
-        """Return the ends of the level and the upright diameter of a round track on which a body lies."""
+        """Return the ends of the horizontal and vertical diameters of the circular track under a body."""
         middle = vector(self.frames[address].origin)
         radius = math.dist(middle, vector(self.frames.center(address).place))
         return [add(middle, scale(side * radius, way)) for way in (X, Z) for side in (-1.0, 1.0)]
 
     def _below(self, body: RigidBody) -> list[Vector]:
-        """Return the point of the ground below a body that can fall to it."""
+        """Return the point of the ground below a body that can fall to it, as a list."""
         floor = self.floor(body)
         if floor is None:
             return []
@@ -257,7 +257,7 @@ class Setting:
         return [(x, y, floor)]
 
     def floor(self, body: RigidBody) -> float | None:
-        """Return the height of level ground under a body, where it can meet it; None without any."""
+        """Return the height of the horizontal ground under a body that can hit it; None without one."""
         for coordinate in body.coordinates:
             upright = coordinate.kind == "slide" and coordinate.axis[2] > 1.0 - LIKE
             if upright and math.isfinite(coordinate.lower) and body.parent is None:
@@ -269,7 +269,7 @@ class Setting:
 
 
 def corners(region: Region) -> Iterator[Vector]:
-    """Points at the borders of a region, as far as it has any."""
+    """Yield the points on the borders of a region, if it is bounded."""
     if isinstance(region, DiscRegion):
         r, (x, y, z) = region.radius, region.center
         yield from ((x + r, y, z), (x - r, y, z), (x, y + r, z), (x, y - r, z), (x, y, z + r), (x, y, z - r))

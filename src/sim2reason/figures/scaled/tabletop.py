@@ -58,13 +58,13 @@ def bounding_walls(setting: Setting, area: Box) -> list[Shape]:
 
 
 TICK, PITCH = 0.08, 1.3  # length of a tick, least distance of two
-MARGIN = 0.15  # between the number of a tick and what ends the axis, and between a tick and an arrow
-BELOW, LINED = 0.55, 1e-6  # units from a body on a track down to the axis of x, and from a line to what is on it
+MARGIN = 0.15  # units between a tick's number and the axis' end, and between a tick and an arrow
+BELOW, LINED = 0.55, 1e-6  # units: x axis below bodies on a track; tolerance of a line
 CROSS = 1.0  # length of an axis without numbers
 
 
 def axes(setting: Setting) -> Sketch:
-    """Return nothing where no coordinate is called x or y."""
+    """Return the coordinate axes; an empty sketch if the text names no x or y."""
     found = Sketch()
     labels = {c.label: setting.view.way(c.axis) for body in setting.members for c in body.coordinates}
     if not {"x", "y"} & labels.keys():
@@ -112,7 +112,7 @@ def _beside_track(setting: Setting, found: Sketch) -> None:
 
 
 def _walls(setting: Setting, way: complex) -> Iterator[complex]:
-    """Yield the points at which walls cross the line through the bodies of a track."""
+    """Yield the points where walls cross the line through the bodies of a track."""
     for meeting in setting.mechanism.meetings:
         if meeting.a is None and meeting.normal is not None and setting.owns(meeting.b):
             normal = setting.view.way(meeting.normal)
@@ -128,7 +128,7 @@ def _placed(setting: Setting) -> bool:
 
 
 def _full(setting: Setting, found: Sketch, area: Box, origin: complex) -> None:
-    """Both axes through the origin, with numbers if the text gives all lengths."""
+    """Draw both axes through the origin, with numbers if the text gives all lengths."""
     scaled = not any(setting.plan.leaves_open(owner, setting.mechanism.units.length) for owner in setting.owners)
     left, low, right, high = area
     metre = show_unit(setting.mechanism.units.length)
@@ -157,7 +157,7 @@ def _ticks(
 ) -> None:
     """Draw ticks with numbers at round distances, except under bodies and arrows and near the ends of the axis.
 
-    At the origin only where that is wanted: two axes cross there.
+    The origin gets a tick only on request, because two axes cross there.
     """
     origin, way, start, stop = axis
     scale = setting.view.scale
@@ -181,5 +181,5 @@ def _ticks(
 
 
 def _is_near(at: complex, arrow: Sequence[complex]) -> bool:
-    """Return whether a tick would stand on a straight arrow, or touch it."""
+    """Return whether a tick would touch a straight arrow."""
     return from_segment(at, arrow[0], arrow[-1]) < MARGIN + TICK

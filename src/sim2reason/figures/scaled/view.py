@@ -1,4 +1,4 @@
-"""From the room to the page: which way one looks, and how large things are drawn."""
+"""Projection of the world frame to the page: direction of view and scale."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -9,41 +9,41 @@ from sim2reason.scenes.dsl.mechanism import Mechanism, RigidBody, X, Y, Z
 from sim2reason.scenes.dsl.vectors import Vector, add, inner, outer, scale, unit
 
 SMALL = 1e-9
-SPAN, FROM_ABOVE = 5.0, 6.5  # units across the larger side, as seen from the front and from above
-LONGEST = 13.0  # units that this may grow to, so that neighbours keep apart
-APART, COILED = 1.7, 2.4  # units between neighbours, and between those that springs join
+SPAN, FROM_ABOVE = 5.0, 6.5  # units of the larger side of a drawing, seen from the front and from above
+LONGEST = 13.0  # units that this may grow to, so that neighbours do not overlap
+APART, COILED = 1.7, 2.4  # units between neighbours, and between bodies joined by springs
 LARGEST = 2.6  # units across the largest body
 
 
 @dataclass(frozen=True, slots=True)
 class View:
-    """A parallel projection; `scale` is units of the drawing for a unit of length."""
+    """A parallel projection; `scale` is units of the drawing per unit of length."""
 
     right: Vector
     up: Vector
     scale: float
 
     def way(self, vector: Vector) -> complex:
-        """Return a direction of the room on the page; shorter than 1 if it comes out of it."""
+        """Return the projection of a direction to the page; shorter than 1 if it points out of the page."""
         return complex(inner(self.right, vector), inner(self.up, vector))
 
     def at(self, place: Vector) -> complex:
-        """Return a place of the room on the page."""
+        """Return the projection of a position to the page."""
         return self.scale * self.way(place)
 
     @property
     def level(self) -> bool:
-        """Return whether one looks from above."""
+        """Return whether the view is from above."""
         return abs(self.up[2]) < 1.0 - SMALL and abs(self.up[1]) > SMALL
 
     @property
     def towards(self) -> Vector:
-        """The direction out of the page."""
+        """Return the unit vector out of the page."""
         return outer(self.right, self.up)
 
 
 def sides(mechanism: Mechanism, members: Sequence[RigidBody]) -> tuple[Vector, Vector]:
-    """Return what is right and what is up: from the front, or from above where something moves away from the reader."""
+    """Return the world directions of right and up on the page: front view, or top view for motion in depth."""
     names = {body.name for body in members}
     thrust = next((burn.direction for burn in mechanism.burns if burn.body in names), None)
     if thrust is not None:
@@ -68,7 +68,7 @@ def sides(mechanism: Mechanism, members: Sequence[RigidBody]) -> tuple[Vector, V
 def fitting(
     places: Iterable[complex], bodies: Sequence[complex], largest: float, wanted: float, *, apart: float
 ) -> float:
-    """Return how many units to draw for a unit of length, so that `places` are in sight, about `wanted` units across.
+    """Return the scale, in units per unit of length, at which `places` span about `wanted` units.
 
     Small `bodies` keep `apart` if they can; `largest` is the width of the largest one.
     """

@@ -1,4 +1,4 @@
-"""Filters: each drops questions for one reason, which the manifest of a dataset counts."""
+"""Filters: each rejects questions for one reason, counted in the manifest of a dataset."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator
@@ -23,7 +23,7 @@ from sim2reason.solutions.shortest import is_solved, shortest, shortest_checked
 
 @dataclass(frozen=True)
 class Candidate:
-    """A question that may become an item, with what it was asked about."""
+    """A question that may become an item, with its scene, motion and text."""
 
     study: Study
     question: Question
@@ -44,17 +44,17 @@ class Candidate:
 
     @property
     def kind(self) -> Kind:
-        """The kind of the question."""
+        """Return the question kind."""
         return KINDS[self.question.query.kind]
 
     @cached_property
     def time(self) -> float | None:
-        """Return when all that the answer depends on has happened, s."""
+        """Return the latest time on which the answer depends, s."""
         return self.kind.time(self.question.query, self.study)
 
     @cached_property
     def solution(self) -> Solution | None:
-        """Its shortest solution that needs no more than it may, and no integration; None without words."""
+        """Return the shortest solution with allowed needs and without integration; None without a text."""
         if self.words is None:
             return None
         question = self.question
@@ -64,7 +64,7 @@ class Candidate:
 
     @property
     def checked(self) -> Self:
-        """Return the candidate itself if its solution was verified, otherwise one with a solution that was."""
+        """Return the candidate, with a solution that the checker has verified."""
         question, found = self.question, self.solution
         if self.words is None or question.formula is not None or found is None or found.answer is None:
             return self
@@ -82,30 +82,30 @@ class Candidate:
 
     @cached_property
     def measured(self) -> SolutionDifficulty | None:
-        """Difficulty of the shortest solution together with those of earlier parts; None without a solution."""
+        """Return the difficulty of the shortest solution with those of earlier parts; None without a solution."""
         held = self.solved
         return measured(*held, *(part for each in self.beside for part in each.solved)) if held else None
 
     @property
     def solved(self) -> tuple[tuple[Solution, int], ...]:
-        """Return that solution with the number of events before what is asked about; nothing where there is none."""
+        """Return pairs of the solution and the number of events before its moment; empty without a solution."""
         if self.solution is None or self.solution.answer is None:
             return ()
         return ((self.solution, number_of_events(self.study.trace, self.time)),)
 
     @property
     def until(self) -> float | None:
-        """Return how far motions of scenes like this one are followed, s."""
+        """Return the time to which variants of this scene are simulated, s."""
         return None if self.time is None else BEYOND * self.time
 
     @cached_property
     def _responses(self) -> dict[Study, float | None]:
-        """Return what was answered before: several filters ask about the same changed scenes, and again in symbols."""
+        """Return the cached answers in changed scenes, which several filters and the symbolic mode share."""
         asked = replace(self.question, text="", formula=None, assumed=())
         return self.study.once(("responses", asked), dict[Study, float | None])
 
     def response(self, other: Study | None) -> float | None:
-        """Return the answer to the same question about a changed scene; None if it has none there."""
+        """Return the answer to the same question in a changed scene; None if it has none."""
         if other is None:
             return None
         if other not in self._responses:
@@ -122,7 +122,7 @@ class Candidate:
         return found if found is not None and isfinite(found) else None
 
     def far_response(self, other: Study | None) -> float | None:
-        """Return the same, looked for as far as it takes, where no result is given."""
+        """Return the answer in a changed scene, simulated as long as necessary unless a result is given."""
         if other is None or self.question.given is not None or not _has(other, self.question.query):
             return self.response(other)
         time = self.kind.time(self.question.query, other)
@@ -132,16 +132,16 @@ class Candidate:
         return found if found is not None and isfinite(found) else None
 
     def change(self, other: Study | None) -> float:
-        """Return the relative change of the answer in a changed scene; infinite if it has none there."""
+        """Return the relative change of the answer in a changed scene; infinite if it has no answer."""
         return self.change_to(self.response(other))
 
     def change_to(self, answer: float | None) -> float:
-        """Return the relative change of the answer to another one; infinite to none."""
+        """Return the relative change from the answer to another value; infinite for None."""
         return inf if answer is None else abs(answer / self.question.answer - 1.0)
 
 
 def _has(study: Study, query: Query) -> bool:
-    """Tell whether a changed scene still has what a query speaks of; what is held has no normal force of its own."""
+    """Return whether a changed scene still contains the objects and quantities of a query."""
     mechanism, target = study.mechanism, query.target
     if query.moment is not None and not query.moment.possible(mechanism):
         return False
@@ -150,7 +150,7 @@ def _has(study: Study, query: Query) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """Whether a filter keeps a question, and if not, why."""
+    """The decision of a filter: whether it keeps a question and, if not, the reason."""
 
     keep: bool
     filter: str
@@ -158,13 +158,13 @@ class Verdict:
 
     @property
     def counted(self) -> str:
-        """Under which name a manifest counts it: the filter's, and the cause if the reason names one."""
+        """Return the name under which a manifest counts the verdict: the filter's, with the cause if given."""
         cause, colon, _ = self.reason.partition(": ")
         return f"{self.filter}: {cause}" if colon else self.filter
 
 
 class Filter(ABC):
-    """One reason to drop a question.
+    """The base class of filters: one reason to reject a question.
 
     Class data:
         order: its place among the filters: what costs little comes first.
@@ -175,34 +175,34 @@ class Filter(ABC):
     needs_witness: ClassVar[bool] = False
 
     def ready(self, candidate: Candidate) -> bool:
-        """Return whether all that it looks at is worked out, so that it may as well come first; by default not."""
+        """Return whether all that the filter needs is already computed, so that it can run first."""
         del candidate
         return False
 
     @abstractmethod
     def reason(self, candidate: Candidate) -> str:
-        """Return why the question must go, in a few words; empty if it may stay.
+        """Return the reason to reject the question, in a few words; empty to keep it.
 
-        Where a manifest should count several causes apart, the cause stands first, before a colon.
+        If a manifest should count several causes separately, the cause comes first, before a colon.
         """
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """What it finds on the way, line by line, for whoever wants to know; by default no more than its reason."""
+        """Yield the measured values behind the decision, one line each; by default only the reason."""
         del candidate
         yield from ()
 
 
 class SceneFilter(Filter):
-    """One reason to drop a scene, and with it all questions about it; scenes are filtered before anything is asked."""
+    """The base class of filters that reject a scene before any question about it."""
 
     order = 0
 
     @abstractmethod
     def scene_reason(self, study: Study) -> str:
-        """Return why the scene must go, in the form of `Filter.reason`; empty if it may stay."""
+        """Return the reason to reject the scene, in the form of `Filter.reason`; empty to keep it."""
 
     def reason(self, candidate: Candidate) -> str:
-        """Return the reason against the scene."""
+        """Return the reason to reject the scene of the question."""
         return self.scene_reason(candidate.study)
 
 
@@ -210,7 +210,7 @@ FILTERS: Registry[Filter] = Registry("filters", package="sim2reason.generation.f
 
 
 def sift_scene(study: Study) -> Verdict:
-    """Return the first verdict against a scene."""
+    """Return the verdict on a scene: the first rejection, if there is one."""
     for name, found in in_order():
         if isinstance(found, SceneFilter) and (reason := found.scene_reason(study)):
             return Verdict(keep=False, filter=name, reason=reason)
@@ -218,7 +218,7 @@ def sift_scene(study: Study) -> Verdict:
 
 
 def sift(candidate: Candidate, *, witnessed: bool) -> Verdict:
-    """Return the first verdict against a question among the filters that need a witness, or that need none."""
+    """Return the first rejection by the filters that need the second engine (`witnessed`), or by the others."""
     filters = [(name, found) for name, found in in_order() if found.needs_witness == witnessed]
     for name, found in sorted(filters, key=lambda each: not each[1].ready(candidate)):
         if reason := found.reason(candidate):

@@ -1,4 +1,4 @@
-"""Filters that examine the answer, and the agreement of two engines about it."""
+"""Filters on the answer and on the agreement of two engines about it."""
 
 import re
 from collections.abc import Iterator
@@ -18,18 +18,18 @@ from sim2reason.simulation.quantities import QUANTITIES, Quantity
 
 
 class Agreement(Filter):
-    """The two engines part, on what is asked or on what happens before it."""
+    """Filter for questions on which the two engines disagree, or whose motion differs before the moment."""
 
     needs_witness = True
     order = 0
 
     def reason(self, candidate: Candidate) -> str:
-        """Return what the kind of question doubts."""
+        """Return why the question kind cannot certify the answer."""
         query = candidate.question.query
         return KINDS[query.kind].doubt(query, candidate.study, candidate.certificate)
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield how far the engines part on the motion, and until when they were compared."""
+        """Yield the largest difference between the engines, and the end time of the comparison."""
         held = candidate.certificate
         if held is not None and held.agreement:
             worst = max(held.agreement, key=lambda channel: held.agreement[channel])
@@ -43,12 +43,12 @@ class Agreement(Filter):
 FILTERS.add("agreement", Agreement())
 
 
-SMALLEST = 0.01  # of the scene's largest value of the quantity: two spoken digits can't tell less from zero
-SAME = 2e-3  # relative: what rounds to the same three digits
+SMALLEST = 0.01  # of the scene's largest value of the quantity: smaller values round to zero in two digits
+SAME = 2e-3  # relative; closer values round to the same three digits
 
 
 class Degenerate(Filter):
-    """The answer is negative, nothing, one of the stated numbers, or what it was at the start."""
+    """Filter for answers that are negative, zero, equal to a stated number, or equal to the initial value."""
 
     order = 0
 
@@ -70,7 +70,7 @@ class Degenerate(Filter):
         return "nothing changes it before" if _lasting(candidate) else ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the result beside the least one, the number that is nearest to the answer, and what it began with."""
+        """Yield the result with the smallest allowed one, the nearest stated number, and the initial value."""
         question, nearest = candidate.question, _nearest(candidate)
         floor = max(_least(candidate), SMALLEST * _scale(candidate))
         yield f"the result is {question.result:.4g}; what is not beyond {floor:.2g} can't be told from zero"
@@ -84,7 +84,7 @@ class Degenerate(Filter):
 
 
 def _least(candidate: Candidate) -> float:
-    """Return the smallest result."""
+    """Return the smallest result that is not too close to zero."""
     quantity = _asked(candidate)
     if quantity is not None:
         return least(candidate.study.mechanism, quantity)
@@ -92,7 +92,7 @@ def _least(candidate: Candidate) -> float:
 
 
 def _stated(candidate: Candidate, unit: str) -> Iterator[float]:
-    """The numbers of a unit in the text of the scene; of any unit g and those of the question, with which it ends."""
+    """Yield the numbers in the text with a unit; for any unit, also g and the question's numbers."""
     for parameter in candidate.study.scene.parameters:
         open_to_all = not parameter.hidden and parameter.path not in candidate.question.left_open
         alike = parameter.measure.unit == unit or parameter.path.startswith("world.")
@@ -106,14 +106,14 @@ def _stated(candidate: Candidate, unit: str) -> Iterator[float]:
 
 
 def _nearest(candidate: Candidate) -> float | None:
-    """Return the size of the stated number, of the answer's unit, that is nearest to the answer."""
+    """Return the magnitude of the stated number, in the answer's unit, that is nearest to the answer."""
     answer = candidate.question.answer
     sizes = (abs(said) for said in _stated(candidate, candidate.question.unit))
     return min(sizes, key=lambda size: abs(answer - size), default=None)
 
 
 def _asked(candidate: Candidate) -> Quantity | None:
-    """Return the quantity that the answer is a value of; None if it is none, such as a time."""
+    """Return the quantity of the answer; None if the answer is not a quantity, such as a time."""
     query = candidate.question.query
     if query.target is None or KINDS[query.kind].measured(query).name != query.target.quantity:
         return None
@@ -121,13 +121,13 @@ def _asked(candidate: Candidate) -> Quantity | None:
 
 
 def _lasting(candidate: Candidate) -> bool:
-    """Return whether a quantity at a later moment still has the value that it has just after the start."""
+    """Return whether a quantity at a later moment still has its value from just after the start."""
     start, answer = _start(candidate), candidate.question.result
     return start is not None and abs(answer - start) <= SAME * abs(answer)
 
 
 def _start(candidate: Candidate) -> float | None:
-    """Return what a quantity at a later moment is just after the start; None where none is asked for."""
+    """Return the value of the quantity just after the start; None for other kinds of questions."""
     query, study = candidate.question.query, candidate.study
     if _asked(candidate) is None or query.target is None or not KINDS[query.kind].time(query, study):
         return None
@@ -135,7 +135,7 @@ def _start(candidate: Candidate) -> float | None:
 
 
 def _scale(candidate: Candidate) -> float:
-    """Return the largest value of the asked quantity on any subject while the motion is described."""
+    """Return the largest value of the quantity over all subjects up to the end of the motion."""
     quantity, trace = _asked(candidate), candidate.study.trace
     if quantity is None:
         return 0.0
@@ -153,7 +153,7 @@ FILTERS.add("degenerate", Degenerate())
 
 
 class Identifiable(Filter):
-    """Another value of the unknown gives the same result, or the text does not speak of it as of an unknown."""
+    """Filter for unknowns that the given result does not determine, or that the text does not mention."""
 
     order = 10
 
@@ -168,7 +168,7 @@ class Identifiable(Filter):
         return candidate.study.once(("unfixed", question), lambda: unfixed(question, candidate.study, words))
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the number, and the range of the others that were tried."""
+        """Yield the unknown number, and the range of other values that were tried."""
         question = candidate.question
         if question.unknown and question.given is not None and not self.reason(candidate):
             values = range_of(candidate.study.scene, question.unknown, question.answer)
@@ -178,7 +178,7 @@ class Identifiable(Filter):
 
 
 def _speaks_of(path: str, words: Words, text: str) -> bool:
-    """Whether a text has the symbol of a number, alone or one of many, and not only as its own value: *R = $R$*."""
+    """Return whether a text uses the symbol of a number other than as its own value, as in *R = $R$*."""
     alone = next(found.symbol for found in words.unknowns if found.path == path).strip("$")
     for symbol in (alone, words.symbols.get(path, alone)):
         own = rf"(?<!\w){re.escape(_plain(symbol))} = \${re.escape(symbol)}\$"
@@ -188,26 +188,26 @@ def _speaks_of(path: str, words: Words, text: str) -> bool:
 
 
 def _plain(symbol: str) -> str:
-    """Return a symbol as prose has it in a formula of its own."""
+    """Return a symbol as it is written inline in prose."""
     return {r"\omega": "ω"}.get(symbol, symbol)
 
 
 FILTERS.add("identifiable", Identifiable())
 
 
-WORST = 20.0  # the condition number, the root of the sum of the squares of all elasticities
+WORST = 20.0  # condition number: the root of the sum of the squares of all elasticities
 
 
 class Precision(Filter):
-    """A small shift of a stated number moves the answer too far, or changes the order of events: chaos.
+    """Filter for ill-conditioned answers: a small change of a stated number changes the answer or event order a lot.
 
-    What is counted must not change by half a unit in the last place of any number.
+    Counted answers must not change when any number changes by half a unit in its last place.
     """
 
     order = 8
 
     def reason(self, candidate: Candidate) -> str:
-        """Shift the stated numbers, one by one, by one part in a thousand and solve again."""
+        """Shift the stated numbers one by one by one part in a thousand, and solve again."""
         squares = 0.0
         for found in elasticities(candidate):
             if found.reordered:
@@ -225,7 +225,7 @@ class Precision(Filter):
 
 
 def _miscounted(candidate: Candidate) -> Iterator[str]:
-    """Yield the addresses of numbers that change what is counted as soon as they are rounded."""
+    """Yield the addresses of numbers whose rounding error changes a counted answer."""
     study, question = candidate.study, candidate.question
     for parameter in (parameter for given in givens(study.scene, question.left_open) for parameter in given.parameters):
         value = float(study.scene.value(parameter.path))

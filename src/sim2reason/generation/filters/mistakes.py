@@ -1,4 +1,4 @@
-"""Filters of questions that a mistake answers right."""
+"""Filters for questions that a misconception answers correctly."""
 
 from collections.abc import Iterator
 
@@ -9,16 +9,16 @@ ALLOWED = {"easy": 0, "medium": 0, "hard": 1}
 
 
 class Shortcut(Filter):
-    """A part of the scene can be held or left out, and the answer stays within the tolerance, or nearly.
+    """Filter for questions whose answer stays (nearly) within the tolerance if a part is held fixed or omitted.
 
-    A hard problem in numbers may have one such part, which is recorded as a distraction; other problems have none. What
-    changes the answer a little, but might be forgotten, would be paid for.
+    A hard numeric problem may have one such part, which is recorded as a distraction; other problems have none. A part
+    with a small effect would allow a solver who forgets it to be graded as correct.
     """
 
     order = 6
 
     def reason(self, candidate: Candidate) -> str:
-        """Hold and leave out what can be, part by part."""
+        """Hold fixed or omit each part that permits it, one by one."""
         idle = dict[str, Effect]()
         allowed = ALLOWED[candidate.difficulty] if candidate.question.formula is None else 0
         for effect in effects(candidate, part=True):
@@ -31,7 +31,7 @@ class Shortcut(Filter):
         return ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Return what each does to the answer."""
+        """Yield the effect of each change on the answer."""
         return (effect.told for effect in effects(candidate, part=True))
 
 
@@ -39,27 +39,27 @@ FILTERS.add("shortcut", Shortcut())
 
 
 class Simplified(Filter):
-    """A mistake about the physics is paid, or nearly: it changes the answer a little, or not at all.
+    """Filter for questions that a misconception answers (nearly) correctly.
 
-    One that changes nothing may stay where it is about nothing but a part that the item marks as having no bearing.
+    A misconception without effect is allowed if it concerns only a part that the item marks as a distraction.
     """
 
     order = 4
 
     def reason(self, candidate: Candidate) -> str:
-        """Make every mistake that can be made."""
+        """Apply every applicable misconception."""
         for effect in effects(candidate, part=False):
             if effect.close and effect.wrong and not (effect.same and _is_about_a_marked_part(effect, candidate)):
                 return f"{effect.simplification.name}: the answer changes by {effect.change:.2g}"
         return ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Return what each does to the answer."""
+        """Yield the effect of each misconception on the answer."""
         return (effect.told for effect in effects(candidate, part=False))
 
 
 def _is_about_a_marked_part(effect: Effect, candidate: Candidate) -> bool:
-    """Return whether nobody could make that mistake without some part that the item will mark as having no bearing."""
+    """Return whether a misconception concerns only parts that the item will mark as distractions."""
     without = (part.study for part in effects(candidate, part=True) if part.close and part.study is not None)
     query, slip = candidate.question.query, effect.simplification
     return any(effect.subject not in slip.subjects(query, study) for study in without)

@@ -1,4 +1,4 @@
-"""Filters of motions that no problem should have."""
+"""Filters for unsuitable motions."""
 
 from collections.abc import Iterator
 
@@ -14,21 +14,21 @@ from sim2reason.scenes.dsl.state import State
 from sim2reason.scenes.dsl.units import parse_unit
 from sim2reason.simulation.trace import Trace, happened
 
-SHOWN = 5  # collisions
-MOST: dict[Difficulty, int] = {"easy": 5, "medium": 8, "hard": 12}  # that one has to follow, unless they are counted
+SHOWN = 5  # collisions in the findings
+MOST: dict[Difficulty, int] = {"easy": 5, "medium": 8, "hard": 12}  # collisions before the moment, at most
 
 
 class Collision(Filter):
-    """Something may collide, but nothing has when the question is asked, so that the collision has no bearing.
+    """Filter for questions without a relevant collision in a scene that allows one, or with too many collisions.
 
-    Or where pairs have a restitution of their own, only these have collided: that of *all others* has no bearing. Or
-    more collisions come before than anybody would follow.
+    If pairs have different stated restitutions, collisions of every restitution are required, since otherwise a stated
+    value is irrelevant.
     """
 
     order = 1
 
     def reason(self, candidate: Candidate) -> str:
-        """A collision must come before the moment, or be what has just happened; and one of every restitution."""
+        """Require a collision at or before the moment, for every stated restitution, and not too many."""
         time, moment = candidate.time, candidate.question.query.moment
         just_after = moment is not None and bool(moment.sided)
         met = time is None or has_met(candidate.study.trace, time, just_after=just_after)
@@ -42,13 +42,13 @@ class Collision(Filter):
         return ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield when the first collisions are."""
+        """Yield the times of the first collisions."""
         hits = [event for event in candidate.study.trace.events if event.kind == "collision"]
         yield from (f"{' and '.join(hit.subjects)} collide at {hit.time:.4g} s" for hit in hits[:SHOWN])
 
 
 def _all_bear(trace: Trace, time: float) -> bool:
-    """Return whether there has been a collision, up to a time, of every restitution that pairs have."""
+    """Return whether pairs with each stated restitution have collided up to a time."""
     told = {frozenset(meeting.names): meeting.restitution for meeting in trace.mechanism.meetings}
     if len(set(told.values())) == 1:
         return True
@@ -60,21 +60,22 @@ FILTERS.add("collision", Collision())
 
 
 class Jerk(Filter):
-    """A slack string becomes taut again before the moment, with a jerk: what it takes from the motion must be told.
+    """Filter for motions in which a slack string becomes taut again, unless the text states the result.
 
-    Engines take the velocity along the string. Texts say so of entities whose strings are expected to go slack.
+    Engines remove the velocity component along the string. Only entities whose strings are expected to go slack state
+    this.
     """
 
     order = 2
 
     def reason(self, candidate: Candidate) -> str:
-        """Look for strings that become taut before the moment, or before the end of what is followed."""
+        """Search for strings that become taut before the moment, or before the end of the motion."""
         told = {named.name for named in candidate.study.scene.entities if named.entity.slackens}
         lines = (line for _, line in _again(candidate))
         return next((f"{line} becomes taut again" for line in lines if line.partition(".")[0] not in told), "")
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield when strings become taut again, or until when none does."""
+        """Yield the times when strings become taut again, or the end of the search."""
         if not candidate.study.mechanism.strings:
             return
         again = [f"{line} becomes taut again at {time:.4g} s" for time, line in _again(candidate)]
@@ -82,12 +83,12 @@ class Jerk(Filter):
 
 
 def _end(candidate: Candidate) -> float:
-    """Return the moment, or the end of what is followed, s."""
+    """Return the time of the moment, or of the end of the motion, s."""
     return candidate.time if candidate.time is not None else candidate.study.trace.stable_until
 
 
 def _again(candidate: Candidate) -> Iterator[tuple[float, str]]:
-    """Yield the strings that become taut again before that, with the times, s."""
+    """Yield the times at which strings become taut again before the end, s, with the strings."""
     for event in happened(candidate.study.trace.events, _end(candidate)):
         if event.kind == "taut":
             yield from ((event.time, line) for line in event.subjects)
@@ -97,16 +98,16 @@ FILTERS.add("jerk", Jerk())
 
 
 class PlausibleOutcome(Filter):
-    """The answer, or the result that is given, is not plausible; or a spring is squeezed or stretched too far."""
+    """Filter for implausible answers or given results, and for excessive compression or extension of springs."""
 
     order = 1
 
     def reason(self, candidate: Candidate) -> str:
-        """Compare both with the table, and springs with their natural lengths until the moment that is asked about."""
+        """Compare both with a table of plausible ranges, and springs with their natural lengths."""
         return next(self.findings(candidate), "")
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield all that is not plausible."""
+        """Yield all implausible values."""
         question, mechanism = candidate.question, candidate.study.mechanism
         yield from _implausible("the answer", question.answer, question.unit, mechanism)
         if question.given is not None:
@@ -124,7 +125,7 @@ def _implausible(what: str, value: float, unit: str, mechanism: Mechanism) -> It
 
 
 def _lengths(candidate: Candidate, names: tuple[str, ...]) -> dict[str, Span]:
-    """The least and the greatest lengths of some springs until all has happened that the answer depends on, m."""
+    """Return the ranges of the lengths of some springs up to the moment, m."""
     trace, time = candidate.study.trace, candidate.time
     state = trace.scan if time is None else trace.sample(_instants(trace.scan, time))
     lines = (line for line in state.mechanism.lines if line.name in names and line.circle is None)
@@ -140,13 +141,13 @@ def _instants(state: State, time: float) -> np.ndarray:
 FILTERS.add("outcome", PlausibleOutcome())
 
 
-FARTHEST = 4.0  # m along a board, a box or a wedge that moves itself
+FARTHEST = 4.0  # m, on a movable board, box or wedge
 
 
 class Slide(Filter):
-    """By the time that is asked about something has slid farther than `FARTHEST` on a body that can move.
+    """Filter for motions in which a body slides more than 4 m on a movable body before the moment.
 
-    Planes that are fixed have no end.
+    Fixed planes have no end.
     """
 
     order = 1

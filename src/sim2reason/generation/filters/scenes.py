@@ -1,4 +1,4 @@
-"""Filters that drop a scene before anything is asked about it."""
+"""Filters that reject a scene before any question about it."""
 
 from collections.abc import Iterator
 
@@ -12,14 +12,14 @@ from sim2reason.simulation.quantities.kinematics import Acceleration
 
 
 class Magnitudes(SceneFilter):
-    """A stated number, a density, a ratio of masses or the length of a spring at the start is not plausible."""
+    """Filter for implausible numbers: stated values, densities, mass ratios or initial lengths of springs."""
 
     def scene_reason(self, study: Study) -> str:
-        """Look up all stated numbers, once for each scene."""
+        """Look up the plausible ranges of all stated numbers."""
         return study.once("implausible numbers", lambda: next(implausible_numbers(study.scene), ""))
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield all that is not plausible."""
+        """Yield all implausible values."""
         return implausible_numbers(candidate.study.scene)
 
 
@@ -27,13 +27,13 @@ FILTERS.add("magnitudes", Magnitudes())
 
 
 STILL = 1e-6  # m/s²
-SEVERAL = 2  # parts of a scene
+SEVERAL = 2  # parts of a scene from which on the filter applies
 
 
 class Opposed(SceneFilter):
-    """Just after the start no weight rises, and those of several entities descend, so that none works against another.
+    """Filter for scenes in which all weights of several entities descend, so that none opposes another.
 
-    A row of blocks that runs down one slope is of one entity. Springs and what swings are not looked at.
+    A row of blocks on one slope belongs to one entity. Springs and swinging bodies are ignored.
     """
 
     def scene_reason(self, study: Study) -> str:
@@ -52,7 +52,7 @@ class Opposed(SceneFilter):
 
 
 def _accelerations(study: Study) -> dict[str, float]:
-    """Return the vertical accelerations of all bodies with mass just after the start, in m/s², positive upwards."""
+    """Return the vertical accelerations of all bodies with mass just after the start, m/s², positive upwards."""
     state = study.trace.at(0.0)
     heavy = [body.name for body in state.mechanism.bodies if body.mass > 0.0]
     return {name: float(Acceleration.evaluate(state, name)[0, 2]) for name in heavy}
@@ -65,14 +65,14 @@ SMALL = 1e-9  # N
 
 
 class Taut(SceneFilter):
-    """A string that has nothing to spare at the start pulls at nothing just after it: nobody would call it taut."""
+    """Filter for scenes with a string called taut whose tension is zero just after the start."""
 
     def scene_reason(self, study: Study) -> str:
         """Return the first string whose tension is zero just after the start."""
         return next((f"{name} is slack from the start on" for name, t in _tensions(study).items() if t <= SMALL), "")
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the least tension."""
+        """Yield the smallest tension just after the start."""
         tensions = _tensions(candidate.study)
         if tensions:
             name = min(tensions, key=lambda each: tensions[each])

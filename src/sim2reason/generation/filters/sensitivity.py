@@ -1,4 +1,4 @@
-"""Drops a question that too few of the stated numbers matter for, or too many do not."""
+"""Filter for questions with too few relevant or too many irrelevant numbers."""
 
 from collections.abc import Iterator
 
@@ -16,22 +16,21 @@ from sim2reason.generation.filters.parts.numbers import (
 )
 from sim2reason.scenes.dsl.mechanism import Mechanism
 
-COUNTED = 2  # numbers with which a count must change
-IDLE = {"easy": 0.0, "medium": 0.1, "hard": 0.1}  # of what is given: how much may have no bearing, unmarked
+COUNTED = 2  # numbers that must be able to change a count
+IDLE = {"easy": 0.0, "medium": 0.1, "hard": 0.1}  # fraction of irrelevant numbers allowed without a mark
 
 
 class Sensitivity(Filter):
-    """Too few numbers move the answer, or too many do not.
+    """Filter for questions with too few numbers that change the answer, or too many that do not.
 
-    What belongs to a part without bearing is told apart: the item marks it as a distraction. So are the mass and the
-    charge of what is asked about and the radius of what rolls, which may well cancel, and what the kind of question is
-    indifferent to.
+    Not counted as irrelevant: numbers of parts that the item marks as distractions, the mass and charge of the subject
+    and the radius of a rolling body, which may cancel, and numbers to which the question kind is indifferent.
     """
 
     order = 7
 
     def reason(self, candidate: Candidate) -> str:
-        """Count those that move it beyond the tolerance when they are halved or doubled."""
+        """Count the numbers that change the answer beyond the tolerance when halved or doubled."""
         scene, query = candidate.study.scene, candidate.question.query
         given = [given for given in givens(scene, candidate.question.left_open) if given.owner != "world"]
         aside = [effect.subject for effect in effects(candidate, part=True) if effect.close]
@@ -54,7 +53,7 @@ class Sensitivity(Filter):
         return f"reach: {short}" if short else ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield how the answer moves with each number."""
+        """Yield the sensitivity of the answer to each number."""
         for found in elasticities(candidate):
             moved = "matters" if matters(candidate, found) else "does not matter"
             yield f"{', '.join(found.given.paths)}: |d ln answer / d ln number| = {found.size:.3g}; it {moved}"
@@ -65,27 +64,27 @@ def _paths(found: list[Given]) -> str:
 
 
 def _is_indifferent(candidate: Candidate, given: Given) -> bool:
-    """Return whether such answers by nature do not depend on it, as a period on how far a spring is pulled."""
+    """Return whether answers of this kind never depend on a number, as a period on the amplitude of a spring."""
     other = shifted(candidate.study, given, candidate.until)
     return other is not None and candidate.kind.indifferent(candidate.question.query, candidate.study, other)
 
 
 def _cancelling(mechanism: Mechanism, subject: str) -> set[str]:
-    """The addresses of what may well cancel: mass and charge of what is asked about, and the radius of what rolls."""
+    """Return the addresses of numbers that may cancel: mass and charge of the subject, and radii of rolling bodies."""
     body = _lone(mechanism, subject)
     rolls = body in mechanism.contacts and len(mechanism.contacts[body].slip) > 1
     return {f"{body}.mass", f"{body}.charge", *([f"{body}.radius"] if rolls else [])}
 
 
 def _lone(mechanism: Mechanism, subject: str) -> str:
-    """The only body with mass that moves as one with the subject, such as the bob on its rod; else the subject."""
+    """Return the only body with mass that moves rigidly with the subject, such as a pendulum bob; else the subject."""
     frame = _carrier(mechanism, subject)
     found = [body.name for body in mechanism.bodies if body.mass and _carrier(mechanism, body.name) == frame]
     return found[0] if frame and len(found) == 1 else subject
 
 
 def _carrier(mechanism: Mechanism, name: str | None) -> str:
-    """The body with coordinates that a body is, or is fixed to; empty for what is no body or fixed in the room."""
+    """Return the moving body that a body is, or is fixed to; empty if it is not a body or does not move."""
     body = mechanism.body.get(name or "")
     if body is None:
         return ""
@@ -93,7 +92,7 @@ def _carrier(mechanism: Mechanism, name: str | None) -> str:
 
 
 def _belongs(given: Given, name: str) -> bool:
-    """Return whether it is a number of the part of that name."""
+    """Return whether a number belongs to the part of that name."""
     return any(path.startswith(f"{name}.") for path in given.paths)
 
 

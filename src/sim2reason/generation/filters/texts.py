@@ -1,4 +1,4 @@
-"""Filters of texts: their length, and numbers that a figure or a word would have to give."""
+"""Filters on texts: their length, and numbers that only a figure could give."""
 
 from collections.abc import Iterable, Iterator
 from typing import cast
@@ -13,12 +13,12 @@ SAME = 1e-6  # relative
 
 
 class HiddenNumbers(Filter):
-    """The answer changes, or there is none, with every hidden length at the low end of its range."""
+    """Filter for answers that depend on lengths which the text does not state."""
 
     order = 5
 
     def reason(self, candidate: Candidate) -> str:
-        """Solve the scene with its strings as short as they may be drawn, and ask again."""
+        """Solve the scene with all hidden lengths at their minimum, and ask again."""
         answer, query, kind = candidate.question.answer, candidate.question.query, candidate.kind
         tight = _tight(candidate)
         if tight is candidate.study:
@@ -32,7 +32,7 @@ class HiddenNumbers(Filter):
         return "" if again is not None and abs(again - answer) <= SAME * abs(answer) else "a hidden length matters"
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the answer then."""
+        """Yield the answer with all hidden lengths at their minimum."""
         tight = _tight(candidate)
         again = candidate.response(tight) if tight is not candidate.study else None
         if again is not None:
@@ -41,14 +41,14 @@ class HiddenNumbers(Filter):
 
 
 def _tight(candidate: Candidate) -> Study | None:
-    """The motion with hidden lengths as short as may be; None if there is none, that of the scene if none is hidden."""
+    """Return the motion with hidden lengths at their minimum; None if there is none."""
     study = candidate.study
     shorter = tightest(study.scene)
     return study if shorter is study.scene else study.variant(shorter, candidate.until, ENOUGH)
 
 
 def tightest(scene: Scene) -> Scene:
-    """Return the scene with every hidden number at the low end of what it may be drawn from."""
+    """Return the scene with every hidden number at the lower end of its range."""
     for parameter in scene.parameters:
         if parameter.hidden and parameter.value is not None:
             owner, _, name = parameter.path.rpartition(".")
@@ -62,28 +62,28 @@ FILTERS.add("hidden numbers", HiddenNumbers())
 
 
 LONGEST = 270  # words
-LONGEST_STRING = 40  # words in a sentence about a string: more, and no finger can follow it
+LONGEST_STRING = 40  # words in a sentence about a string; longer ones are hard to follow
 
 
 class Length(Filter):
-    """The prompt has too many words."""
+    """Filter for prompts with too many words."""
 
     order = 2
 
     def reason(self, candidate: Candidate) -> str:
-        """Count words as a word processor does."""
+        """Count the words as a word processor does."""
         words = len(candidate.prompt.split())
         if words > LONGEST:
             return f"{words} words"
         return "" if followed(candidate.sentences) else f"more than {LONGEST_STRING} words about one string"
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the count."""
+        """Yield the number of words."""
         yield f"{len(candidate.prompt.split())} words of at most {LONGEST}"
 
 
 def followed(sentences: Iterable[str]) -> bool:
-    """Return whether no sentence about a string is so long that no finger can follow it."""
+    """Return whether all sentences about strings are short enough to follow."""
     return all(len(sentence.split()) <= LONGEST_STRING for sentence in sentences if "string" in sentence)
 
 

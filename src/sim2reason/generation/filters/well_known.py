@@ -1,4 +1,4 @@
-"""Filters of what a textbook has ready: few laws, one line, few symbols."""
+"""Filters for textbook problems: few laws, one line, or few symbols."""
 
 from collections.abc import Iterator
 
@@ -27,30 +27,30 @@ An easy problem may be one that a textbook has, if it takes two laws.
 """
 STEADY = {**MOST, 2: 9, 3: 8, 4: 10}
 """The same where accelerations are constant: two blocks on one string, and how far they come by a time."""
-BY_HEART = 4  # symbols in a formula that anybody knows who knows moments of inertia
-LARGEST = 2  # coordinates of what so few laws may answer a question about, if nothing happens on the way
+BY_HEART = 4  # symbols in a formula known by heart together with moments of inertia
+LARGEST = 2  # coordinates of scenes to which the limit on laws applies, if no event occurs
 
 
 class FewLaws(Filter):
-    """The worked solution tells one law, or few, and they lead to a short formula: what a textbook has ready.
+    """Filter for questions whose worked solution needs few laws and leads to a short formula.
 
-    As v/(g (sin θ + µ cos θ)) until a block comes to rest, F/(m_A + m_B) + g sin θ for two blocks that move as one,
-    √(v² + k d²/m) for a cart on a spring, or where a ball that is thrown lands. Nothing is said where no formula is
-    derived, nor of an integral, which a logarithm tells, but by itself.
+    Examples are v/(g (sin θ + µ cos θ)) until a block comes to rest, F/(m_A + m_B) + g sin θ for two blocks that move
+    as one, √(v² + k d²/m) for a cart on a spring, and the range of a thrown ball. Questions without a derived formula
+    pass, and so do integrals, recognised by a logarithm, unless the integral is the only law.
 
-    What rolls or swings by its weight is kept, as by `one line`: a law of motion and a law of turning hold together
-    there. Only what hardly anybody need derive, as ⅓ m g sin θ of a cylinder, is not. What more than laws leads to, as
-    a derivative, is kept, too.
+    Bodies that roll or swing by their weight pass, as for `one line`, since force and torque laws are combined there;
+    only formulas known by heart, such as ⅓ m g sin θ of a cylinder, are rejected. Derivations with more than laws, such
+    as a derivative, pass as well.
     """
 
     order = 3
 
     def ready(self, candidate: Candidate) -> bool:
-        """Return whether the derivation is made, as it is of what is asked for as a formula."""
+        """Return whether the derivation is already cached, as it is in the symbolic mode."""
         return is_derived(candidate.question.query, candidate.study)
 
     def reason(self, candidate: Candidate) -> str:
-        """Count laws, and the symbols of the formulas put into each other."""
+        """Count the laws, and the symbols after substitution of all formulas."""
         found = None if candidate.easy else _derivation(candidate)
         if found is None:
             return ""
@@ -63,7 +63,7 @@ class FewLaws(Filter):
         return f"{_counted(laws)}, a formula of {symbols} symbols"
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the laws of the solution."""
+        """Yield the laws of the worked solution."""
         found = _derivation(candidate)
         if found is not None:
             yield f"{_counted(number_of_laws(found))}, by {found.strategy}"
@@ -73,9 +73,9 @@ class FewLaws(Filter):
 
 
 def _symbols(found: Solution) -> int | None:
-    """Return how many symbols the formulas have that are put into each other, at least; None if they become too long.
+    """Return the number of symbols after substitution of all formulas; None if the result is too long.
 
-    And None of what an integral gives, unless it is all there is, as u ln(m_0/m_1).
+    None also for integrals, except where the integral is the only law, as in u ln(m_0/m_1).
     """
     try:
         whole = put_together(found)
@@ -89,7 +89,7 @@ def _counted(laws: int) -> str:
 
 
 def _derivation(candidate: Candidate) -> Solution | None:
-    """Return what leads to a formula; None where nothing is looked for, or found."""
+    """Return the solution that leads to a formula; None if there is none, or it is not needed."""
     study, words = candidate.study, candidate.words
     if candidate.kind.beyond_laws or words is None or not words.symbols or study.mechanism is not study.scene.mechanism:
         return None
@@ -103,16 +103,16 @@ FILTERS.add(FEW_LAWS, FewLaws())
 
 
 class FewSymbols(Filter):
-    """The formula holds fewer numbers of bodies and of the question than must move an answer in numbers.
+    """Filter for formulas with fewer numbers of bodies than must affect a numeric answer.
 
-    The numbers of the world, as g, do not count there either. Or it lacks more of the symbols than of an answer in
-    numbers may be idle: where a spring passes its natural length, nothing hangs on its stiffness.
+    The numbers of the world, such as g, do not count. Formulas that lack too many of the symbols are rejected too:
+    where a spring passes its natural length, nothing depends on its stiffness.
     """
 
     order = 1
 
     def reason(self, candidate: Candidate) -> str:
-        """Count them, whatever their powers."""
+        """Count the symbols in the formula, regardless of their powers."""
         formula = candidate.question.formula
         if formula is None:
             return ""
@@ -122,7 +122,7 @@ class FewSymbols(Filter):
         return f"idle symbols: {len(formula.without)} of {told}" if len(formula.without) > EVER * told else ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield how many symbols the formula holds and lacks."""
+        """Yield the numbers of symbols that the formula contains and lacks."""
         formula = candidate.question.formula
         if formula is not None:
             yield f"{len(formula.within)} symbols of bodies and of the question; {least(candidate)} must be there"
@@ -133,24 +133,24 @@ FILTERS.add("few symbols", FewSymbols())
 
 
 class OneLine(Filter):
-    """The answer is no more than a product of a few stated numbers, or a sum of two, as F/(m + M) or √(v² + 2 g h).
+    """Filter for answers that are a product of few stated numbers, or a sum of two, as F/(m + M) or √(v² + 2 g h).
 
-    So is whatever is read off a formula that everybody knows: a period, a free fall, a weight on a slope. What rolls or
-    swings by its weight is kept, as by `few laws`: a law of motion and a law of turning hold together there, whatever
-    comes out, as the friction ½ m g sin θ on a pipe that rolls down.
+    Results of well-known formulas are rejected as well: a period, a free fall, a weight on a slope. Bodies that roll or
+    swing by their weight pass, as for `few laws`, since force and torque laws are combined there, whatever the result
+    is, such as the friction ½ m g sin θ on a rolling pipe.
     """
 
     order = 9
 
     def reason(self, candidate: Candidate) -> str:
-        """See how the answer goes with each number, and whether that is all there is to it."""
+        """Measure the power of the answer in each number, and compare with products and sums."""
         if candidate.easy or candidate.kind.measured(candidate.question.query).whole:
             return ""
         line = product_of(candidate) or sum_of(candidate)
         return "" if line and turns_by_weight(candidate) else line
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the product or sum, if it is one."""
+        """Yield the product or sum that equals the answer, if any."""
         yield (
             product_of(candidate) or sum_of(candidate) or "the answer is no product of stated numbers, nor a sum of two"
         )

@@ -1,4 +1,4 @@
-"""Filters that look at the worked solution."""
+"""Filters on the worked solution."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -11,22 +11,22 @@ from sim2reason.solutions.reverse import forward
 
 
 class Derivable(Filter):
-    """No worked solution derives the answer, as nobody would on paper, though the kind of question calls for that."""
+    """Filter for answers without a worked solution, for question kinds that require one."""
 
     order = 9
 
     def reason(self, candidate: Candidate) -> str:
-        """Try every strategy that integrates nothing."""
+        """Try every strategy without numerical integration."""
         return "only an integration leads to it" if candidate.kind.derivable and not _derived(candidate) else ""
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield the strategy that leads to the answer."""
+        """Yield the strategy that derives the answer."""
         if candidate.kind.derivable and (found := _derived(candidate)):
             yield f"it is derived by: {found}"
 
 
 def _derived(candidate: Candidate) -> str:
-    """Return the strategy by which it is; empty if there is none."""
+    """Return the name of the strategy that derives the answer; empty if there is none."""
     query, study = candidate.question.query, candidate.study
     return study.once(("derived by", query), lambda: _found(candidate))
 
@@ -52,9 +52,9 @@ COUNTED = frozenset({f"difficulty: {TOO_EASY}", f"difficulty: {TOO_HARD}"})
 
 
 class FitsLabel(Filter):
-    """The score of the shortest solution, or of those of all parts together, lies outside the band of the label.
+    """Filter for questions whose difficulty score lies outside the range of the difficulty label.
 
-    Nothing is said of a question of no label, or one that only an integration answers.
+    Questions without a label pass, and so do those that only an integration answers.
     """
 
     order = 5
@@ -64,7 +64,7 @@ class FitsLabel(Filter):
         return candidate.is_solved
 
     def reason(self, candidate: Candidate) -> str:
-        """Compare the score with the band."""
+        """Compare the difficulty score with the range of the label."""
         if not candidate.labelled or candidate.measured is None:
             return ""
         score, band = candidate.measured.score, LABELS[candidate.difficulty]
@@ -73,7 +73,7 @@ class FitsLabel(Filter):
         return f"{TOO_HARD if score > band.most else TOO_EASY}: a score of {score} for {candidate.difficulty}"
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield what is measured."""
+        """Yield the measured difficulty."""
         found = candidate.measured
         if found is not None:
             yield f"laws {found.laws}, phases {found.phases}, unknowns together {found.unknowns}, score {found.score}"
@@ -83,9 +83,9 @@ FILTERS.add("difficulty", FitsLabel())
 
 
 class Needs(Filter):
-    """The shortest worked solution needs what is not allowed, such as a numerical root.
+    """Filter for questions whose shortest worked solution needs mathematics that is not allowed.
 
-    By default few questions may need more than elementary means, see `datasets.needs`.
+    By default only a small share of questions may need more than elementary mathematics; see `datasets.needs`.
     """
 
     order = 5
@@ -95,14 +95,14 @@ class Needs(Filter):
         return candidate.is_solved
 
     def reason(self, candidate: Candidate) -> str:
-        """Look at the solution, unless anything is allowed."""
+        """Compare the solution's needs with the allowed ones."""
         if candidate.needs == EVERY or candidate.solution is None:
             return ""
         need = candidate.solution.needs
         return "" if need in candidate.needs else f"{need.label}: it needs that"
 
     def findings(self, candidate: Candidate) -> Iterator[str]:
-        """Yield what it needs."""
+        """Yield the needs of the solution."""
         if candidate.solution is not None:
             strategy = candidate.solution.strategy
             yield f"{candidate.solution.needs.label}, by {strategy or 'nothing but integration'}"

@@ -1,1 +1,1 @@
-"""The modes of questions, one file each."""
+"""The modes of problems."""

@@ -1,4 +1,4 @@
-"""Modes with numbers: numeric, multiple choice, and several parts."""
+"""Numeric modes: numeric, multiple choice, and multi-part."""
 
 from collections.abc import Mapping
 from itertools import takewhile
@@ -24,12 +24,12 @@ from sim2reason.questions.parse_question import parse_question
 from sim2reason.questions.phrasing import chosen, sentence
 from sim2reason.questions.query import targets
 
-DRAWS = 3  # of queries of one kind, at most, until one suits
+DRAWS = 3  # queries of one kind, at most, until one is suitable
 
 
 @mode
 class Numeric(QuestionMode):
-    """What is this, where all is given that it follows from?"""
+    """Question for a number that follows from the stated numbers."""
 
     name = "numeric"
     weights: ClassVar[Mapping[str, float]] = {"limit": 0.1}  # few limits hang on numbers that no simpler question has
@@ -37,7 +37,7 @@ class Numeric(QuestionMode):
     def ask(
         self, study: Study, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything
     ) -> Question | None:
-        """Return whatever a kind draws that suits, if it has a finite answer."""
+        """Return a random suitable question of a kind with a finite answer, or None."""
         found = (self._asked(asked, study, words, rng, suits) for asked in ([KINDS[kind]] if kind else by_share(rng)))
         return next((question for question in found if question is not None), None)
 
@@ -51,7 +51,7 @@ class Numeric(QuestionMode):
         return self.asking(query, study, words, rng) if query is not None else None
 
     def asking(self, query: Query, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
-        """Return the question with a query, if that has a finite answer."""
+        """Return the question for a query if its answer is finite, else None."""
         asked, offered = KINDS[query.kind], targets(words)
         answer = asked.answer(query, study)
         if answer is None or not np.isfinite(answer):
@@ -63,7 +63,7 @@ class Numeric(QuestionMode):
         return Question(self.name, query, sentence(chosen(shapes, rng)), answer, unit, sign, query.hides)
 
     def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
-        """Return a query in the words of its kind; what the text leaves unknown must be what it asks for."""
+        """Parse a query in the words of its kind; a number that the text leaves unknown must be its target."""
         query = parse_question(text, study, words, self.kinds) if not words.symbolic else None
         hidden = {unknown.path for unknown in words.unknowns}
         return ParsedQuestion(self.name, query) if query is not None and hidden <= {query.hides} else None
@@ -71,7 +71,7 @@ class Numeric(QuestionMode):
 
 @mode
 class Choice(Numeric):
-    """Which of several numbers is it?"""
+    """Question for the correct one of several numbers."""
 
     name = "choice"
     offers_options = True
@@ -85,7 +85,7 @@ class Choice(Numeric):
 
 @mode
 class Multipart(Numeric):
-    """Several numbers, where one leads to the next?
+    """Several numeric questions, of which earlier ones help with later ones.
 
     Each part is a numeric question; `datasets.part_search` looks for those that build on each other.
     """
@@ -95,14 +95,14 @@ class Multipart(Numeric):
 
     @property
     def kinds(self) -> frozenset[str]:
-        """Those that leave no number of the text open, which other parts may need."""
+        """Return the kinds that leave no number unknown which other parts may need."""
         return frozenset(name for name in super().kinds if not KINDS[name].hides)
 
     def asking(self, query: Query, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
-        """None, too, where the question would leave a number open."""
+        """Return the question for a query; None also if it would leave a number unknown."""
         return super().asking(query, study, words, rng) if not query.hides else None
 
     def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
-        """None: each part is read by itself, as a numeric question."""
+        """Return None: each part is parsed by itself, as a numeric question."""
         del text, study, words
         return None

@@ -1,4 +1,4 @@
-"""The reverse mode: one number of the text is unknown, and a result is given that it follows from; or a time is."""
+"""The reverse mode: an unknown number or time is sought for which a stated result occurs."""
 
 from collections.abc import Iterator, Mapping
 from math import isfinite
@@ -33,17 +33,17 @@ from sim2reason.questions.query import Target, targets
 from sim2reason.questions.study import COARSE, ENOUGH
 from sim2reason.questions.unknown import Unknown, far_from, range_of, some
 
-FIXED = 1e-2  # relative: how well what is given must fix the answer
-DIGITS = 3  # of what is given, as of the answer
-DRAWS = 3  # of queries of one kind, at most, until one suits
-EXACT = 15  # digits of a result that the motion has as it was drawn
-NEAR = 1e-2  # relative: who comes nearer to a value nearly has it
-TIMES = {"": 0.03, "time_to_event": 0.08}  # of questions of any kind, or of one: how often the unknown is a time
+FIXED = 1e-2  # relative accuracy to which the given result must determine the answer
+DIGITS = 3  # significant digits of the given result
+DRAWS = 3  # queries of one kind, at most, until one is suitable
+EXACT = 15  # digits of a result of the drawn motion
+NEAR = 1e-2  # relative distance that counts as a near match
+TIMES = {"": 0.03, "time_to_event": 0.08}  # probability that a time is unknown: for all kinds, or for one
 
 
 @mode
 class Reverse(QuestionMode):
-    """Which number makes a result what it is said to be, or when is it that?"""
+    """Question for the number, or time, for which a stated result occurs."""
 
     name = "reverse"
     weights: ClassVar[Mapping[str, float]] = {  # seldom measured
@@ -55,13 +55,13 @@ class Reverse(QuestionMode):
 
     @property
     def kinds(self) -> frozenset[str]:
-        """Those that have words for answers as conditions, and whose answers are no whole numbers."""
+        """Return the kinds whose answers can be stated as conditions and are not integers."""
         return frozenset(name for name, kind in KINDS.items() if kind.stated and not kind.whole)
 
     def ask(
         self, study: Study, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything
     ) -> Question | None:
-        """Return a result of this motion, and a number that it fixes, or the time at which it is first so."""
+        """Return a question with a result of this motion and an unknown number, or time, that it determines."""
         if kind in TIMES and rng.random() < TIMES[kind]:
             return _asking_when(study, words, rng, suits)
         found = (self._asked(asked, study, words, rng, suits) for asked in ([KINDS[kind]] if kind else by_share(rng)))
@@ -94,7 +94,7 @@ class Reverse(QuestionMode):
     def _with_unknown(
         self, query: Query, unknown: Unknown, result: float, study: Study, words: Words, rng: np.random.Generator
     ) -> Question | None:
-        """Return the question for a number, where the result of a query fixes it."""
+        """Return the question for an unknown number, if the result of a query determines it."""
         asked = KINDS[query.kind]
         likely = likely_answers(query, study, words, unknown.path)
         dependence = Dependence(query, study, unknown.path, likely=likely)
@@ -110,13 +110,13 @@ class Reverse(QuestionMode):
         return Question(self.name, query, text, answer, unknown.unit, "", unknown.path, given, elasticity)
 
     def study(self, question: Question, study: Study) -> Study:
-        """Return the motion that has exactly the result that is given."""
+        """Return the motion that has exactly the stated result."""
         if not question.unknown:
             return study
         return Study.of(study.scene.having(question.unknown, question.answer), study.trace.state.times)
 
     def response(self, question: Question, study: Study, other: Study) -> float | None:
-        """To first order in the logarithms: ln p falls by ln(R'/R) / elasticity, R being the result that is given."""
+        """Return the answer in a changed scene, to first order: ln p changes by ln(R/R')/elasticity for result R."""
         result = super().response(question, study, other)
         if result is None or question.given is None or not question.unknown:
             return result
@@ -126,12 +126,12 @@ class Reverse(QuestionMode):
         return question.answer * float(np.exp(-np.log(ratio) / question.elasticity))
 
     def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
-        """Return every query that the sentence could state as a condition, with every number in it as its answer."""
+        """Parse a sentence into all queries that it may state as a condition, with its unknown as the target."""
         readings = dict.fromkeys((text, plainly(text, words.units)))  # digits tell how close a result is
         return next((found for said in readings if (found := self._read(said, study, words)) is not None), None)
 
     def _read(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
-        """Return what a sentence asks, with its numbers spelled as they are."""
+        """Return the question of a sentence, with its numbers as written."""
         heard = f"{text}\n{text[0].lower()}{text[1:]}"  # a name may stand at the beginning
         for unknown in words.unknowns:
             for query, unit in _stated(heard, study, words):
@@ -148,7 +148,7 @@ class Reverse(QuestionMode):
         return None
 
     def solution(self, asked: ParsedQuestion, study: Study, words: Words) -> float | None:
-        """Return the only value for which the query has the answer that is given."""
+        """Return the only value for which the query has the stated answer; None if it is not unique."""
         if asked.given is None or isinstance(asked.query.moment, Reached):
             return super().solution(asked, study, words)
         for unknown in _besides(asked.query, words):
@@ -165,10 +165,9 @@ class Reverse(QuestionMode):
 
 
 def unfixed(question: Question, study: Study, words: Words) -> str:
-    """Why a result does not fix a question's unknown: another value that it does not exclude, or an edge beside it.
+    """Return why a result does not determine the unknown: another value, or a nearby limit; empty if it does.
 
-    Empty where nothing of the kind is seen. With other values bodies may go farther; how far strings let them, no text
-    tells.
+    Strings and edges are given enough clearance, because no text states how far they let bodies move.
     """
     if question.given is None or not question.unknown:
         return ""
@@ -195,9 +194,9 @@ def unfixed(question: Question, study: Study, words: Words) -> str:
 
 
 def _besides(query: Query, words: Words) -> list[Unknown]:
-    """Return the numbers that a text may leave unknown, or does, but for the one whose limit a query is about.
+    """Return the numbers that may be unknown, except the one whose limit a query is about.
 
-    Nor is any of the same symbol.
+    Numbers with the same symbol as that one are excluded too.
     """
     symbols = {found.symbol for found in words.unknowns if found.path == query.hides}
     return [found for found in words.unknowns if found.path != query.hides and found.symbol not in symbols]
@@ -208,7 +207,7 @@ def _noun(query: Query, words: Words) -> Noun | None:
 
 
 def _fixed(dependence: Dependence, drawn: float, result: float, unit: str) -> tuple[StatedResult, float, float] | None:
-    """The result as it is said, the number that gives just that, and the elasticity; None if it is not fixed by it."""
+    """Return the stated result, the number that gives exactly it, and the elasticity; None if undetermined."""
     rate = dependence.rate(drawn)
     if not rate:
         return None
@@ -230,7 +229,7 @@ def _stated(heard: str, study: Study, words: Words) -> Iterator[tuple[Query, str
 
 
 def _asking_when(study: Study, words: Words, rng: np.random.Generator, suits: Suits) -> Question | None:
-    """Return when a quantity has a value for the first time."""
+    """Return a question for the time when a quantity first has a value."""
     drawn = KINDS["state"].draw(study, words, targets(words), rng)
     time = study.time(drawn.moment) if drawn is not None and drawn.moment is not None else None
     if drawn is None or drawn.target is None or time is None:
@@ -251,7 +250,7 @@ def _asking_when(study: Study, words: Words, rng: np.random.Generator, suits: Su
 
 
 def _nearly_before(target: Target, given: StatedResult, time: float, study: Study) -> bool:
-    """Whether a quantity all but has a value before it first has it: its digits do not tell the one from the other."""
+    """Return whether a quantity, rounded, has its value before the time when it first reaches it."""
     scan = study.trace.scan
     away = np.abs(target.values(scan)[scan.times < time] - given.value)
     near = away <= max(given.half, NEAR * abs(given.value))

@@ -1,4 +1,4 @@
-"""The symbolic mode: every number of the text is a symbol, and a formula is asked for."""
+"""The symbolic mode: all stated numbers are symbols, and the answer is a formula."""
 
 from dataclasses import replace
 
@@ -38,19 +38,19 @@ from sim2reason.text.prose.description import Description
 from sim2reason.text.prose.symbol_names import factor, with_names
 from sim2reason.text.prose.voices import symbolic_but_zero
 
-DRAWS = 3  # of questions of one kind
-UNDERIVED = 8  # questions in a row to which no formula leads, after which none is expected to about a scene
+DRAWS = 3  # questions of one kind
+UNDERIVED = 8  # consecutive questions without a formula after which a scene is abandoned
 
 
 @mode
 class Symbolic(QuestionMode):
-    """What is this as a formula?"""
+    """Question for a formula in the symbols of the stated numbers."""
 
     name = "symbolic"
 
     @property
     def kinds(self) -> frozenset[str]:
-        """Those that some strategy of worked solutions has a way to, if their answers are functions of the symbols."""
+        """Return the kinds with a strategy of worked solutions whose answers are functions of the symbols."""
         derived = (strategy.kinds for strategy in STRATEGIES.values() if not strategy.integrates)
         return frozenset(name for name in frozenset[str]().union(*derived) if KINDS[name].of_symbols)
 
@@ -61,9 +61,9 @@ class Symbolic(QuestionMode):
     def ask(
         self, study: Study, words: Words, kind: str, rng: np.random.Generator, suits: Suits = anything
     ) -> Question | None:
-        """Return whatever some strategy of worked solutions leads to by formulas, still in numbers.
+        """Return a question, still in numbers, for which some strategy derives a formula; else None.
 
-        None about a mechanism that is not its scene's, whose numbers no symbols stand for.
+        None also for a mechanism that differs from its scene's, because no symbols stand for its numbers.
         """
         if study.mechanism is not study.scene.mechanism:
             return None
@@ -83,7 +83,7 @@ class Symbolic(QuestionMode):
         return None
 
     def completed(self, question: Question, study: Study, words: Words, rng: np.random.Generator) -> Question | None:
-        """In symbols, with a formula; None if none is found that agrees with the engine wherever it should."""
+        """Return the question with its formula; None if no formula agrees with the engine where it should."""
         moment = question.query.moment
         query = replace(question.query, moment=moment.in_symbols(study.trace) if moment is not None else None)
         spoken = _spoken(words, query)
@@ -107,12 +107,12 @@ class Symbolic(QuestionMode):
         return replace(question, query=query, text=text, formula=varied.formula(found, symbols), assumed=assumed)
 
     def described(self, question: Question, description: Description) -> Description:
-        """Return every number but zero as a symbol, each with its name."""
+        """Return the description with a named symbol for every number but zero."""
         del question
         return with_names(description.voiced(symbolic_but_zero))
 
     def parsed(self, text: str, study: Study, words: Words) -> ParsedQuestion | None:
-        """Return a query in the words of its kind, before what is assumed."""
+        """Parse a query in the words of its kind, after removal of its assumptions."""
         if not words.symbolic:
             return None
         assumed, asked = parted(text)
@@ -125,7 +125,7 @@ class Symbolic(QuestionMode):
         return ParsedQuestion(self.name, query, assumed=held) if held is not None else None
 
     def solution(self, asked: ParsedQuestion, study: Study, words: Words) -> float | None:
-        """The answer with the numbers that the symbols have; None with those for which what is assumed is not so."""
+        """Return the answer with the symbols' values; None if they violate the assumptions."""
         until = KINDS[asked.query.kind].time(asked.query, study) or 0.0
         if not all(held.holds(study, until) for held in asked.assumed):
             return None
@@ -133,12 +133,12 @@ class Symbolic(QuestionMode):
 
 
 def _formulas(mechanism: Mechanism) -> frozenset[str]:
-    """Return the kinds of question about a mechanism to which strategies of worked solutions may lead by formulas."""
+    """Return the question kinds about a mechanism for which strategies may derive formulas."""
     return frozenset[str]().union(*(strategy.formulas(mechanism) for strategy in fitting(mechanism)))
 
 
 def _derived(query: Query, study: Study, words: Words) -> Expression | None:
-    """Return the formulas of a worked solution put into each other; None if there is none in symbols."""
+    """Return the formula of a worked solution after substitution; None if there is no symbolic one."""
     return study.once(("formula", query), lambda: _worked_out(query, study, words))
 
 
@@ -158,7 +158,7 @@ def _worked_out(query: Query, study: Study, words: Words) -> Expression | None:
 
 
 def _spoken(words: Words, query: Query) -> Words | None:
-    """Words with symbols for the question's own numbers; None if it has one for which there is none."""
+    """Return a context with symbols for the question's own numbers; None if a number has no symbol."""
     clock = set[str]() if words.released else {"t"}  # of a text that speaks of t = 0
     own, taken = dict[str, OwnSymbol](), clock.union(words.symbols.values())
     for value, unit in query.moment.stated if query.moment is not None else ():
@@ -170,7 +170,7 @@ def _spoken(words: Words, query: Query) -> Words | None:
 
 
 def _symbols(study: Study, words: Words, hidden: str) -> list[ProblemSymbol]:
-    """Return all symbols of a problem in the order in which it tells them, but that of the number which it asks for."""
+    """Return all symbols of a problem in the order of its text, except the unknown."""
     parameters = {p.path: p for p in study.scene.parameters if p.path != hidden}
     found = [(symbol, parameters[path]) for path, symbol in words.symbols.items() if path in parameters]
     said = [ProblemSymbol(symbol, p.measure.unit, p.value, p.path, p.signed) for symbol, p in found if p.value]

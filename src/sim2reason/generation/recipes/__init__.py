@@ -1,4 +1,4 @@
-"""Recipes: which entities meet, and how hard; difficulty belongs here and not to entities."""
+"""Recipes: random scenes of one family by difficulty, which belongs to recipes and not to entities."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -20,10 +20,10 @@ Draw = Callable[[Difficulty, "np.random.Generator"], "Scene"]
 
 @dataclass(frozen=True)
 class Recipe:
-    """How scenes of one kind are drawn, and how often over all recipes: `share` times in every round.
+    """The generator of random scenes of one family; `share` is its relative frequency among recipes.
 
-    `weights` say by which factor some kinds of question are asked more or less often than elsewhere; 0: never. Their
-    names are those of kinds, or of a mode and a kind, as ``reverse.period``, for what holds in that mode alone.
+    `weights` are factors on the frequencies of question kinds; 0 excludes a kind. The keys are names of kinds, or of a
+    mode and a kind, as in ``reverse.period``.
     """
 
     draw: Draw
@@ -36,7 +36,7 @@ class Recipe:
 
     @property
     def summary(self) -> str:
-        """Return what its function says of itself, in one line."""
+        """Return the first line of the draw function's docstring."""
         return (getdoc(self.draw) or "").partition("\n")[0]
 
 
@@ -44,7 +44,7 @@ RECIPES: Registry[Recipe] = Registry("recipes", package="sim2reason.generation.r
 
 
 def recipe(name: str, share: int = 1, weights: Mapping[str, float] | None = None) -> Callable[[Draw], Draw]:
-    """Decorate the function that draws the scenes of a recipe."""
+    """Return a decorator that registers a draw function as a recipe."""
 
     def register(draw: Draw) -> Draw:
         RECIPES.add(name, Recipe(draw, share, weights or {}))
@@ -54,13 +54,13 @@ def recipe(name: str, share: int = 1, weights: Mapping[str, float] | None = None
 
 
 def all_recipes() -> tuple[str, ...]:
-    """Return the names of all recipes, each as often as it is dealt in a round."""
+    """Return the names of all recipes, each repeated by its relative frequency."""
     rounds = range(max(member.share for member in RECIPES.values()))
     return tuple(name for turn in rounds for name, member in RECIPES.items() if member.share > turn)
 
 
 def difficulty_named(difficulty: str) -> Difficulty:
-    """Return a difficulty by its name; UnknownNameError with the names there are."""
+    """Return a difficulty by its name; UnknownNameError, with the valid names, for an unknown one."""
     for name in DIFFICULTIES:
         if name == difficulty:
             return name

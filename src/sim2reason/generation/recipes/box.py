@@ -1,4 +1,4 @@
-"""Boxes and prisms that are free to slide, with blocks on their tops, sides and faces."""
+"""Boxes and prisms that can slide, with blocks on their tops, sides and faces."""
 
 import numpy as np
 
@@ -58,5 +58,5 @@ WEIGHTS = {
 
 @recipe("box", weights=WEIGHTS)
 def draw_box(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
-    """One large movable body with what moves on it, often drawn by a hand or a load."""
+    """A large movable body with other bodies on it, often pulled by a hand or a hanging load."""
     return grow(TIERS[difficulty], rng)

@@ -52,5 +52,5 @@ WEIGHTS = {
 
 @recipe("chain", weights=WEIGHTS)
 def draw_chain(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
-    """Carts on a track, or beads on a ring, with springs between them: struck, or let go with a spring strained."""
+    """Carts on a track, or beads on a ring, joined by springs: struck, or released with a strained spring."""
     return one_of(IDEAS[difficulty], rng, "chain")

@@ -1,4 +1,4 @@
-"""Pucks that meet on a table, and what meets on a straight track."""
+"""Collisions of pucks on a table, and of bodies on a straight track."""
 
 from dataclasses import dataclass
 from itertools import pairwise
@@ -18,9 +18,9 @@ from sim2reason.scenes.entities.complex_collision_plane import ComplexCollisionP
 from sim2reason.scenes.entities.two_d_collision_plane import PairRestitution, TwoDCollisionPlane
 
 APART = Range(0.5, 1.5)  # m, between two pucks at the start
-OFFSET = Range(0.3, 1.6)  # radii: how far the centre of one puck passes from that of the other, were they alone
-GRAZING = 0.4  # radii: how far beside the path of a struck puck the centre of the next one is, at most
-ALIKE = Range(0.6, 1.6)  # times a speed: another one on a perpendicular path
+OFFSET = Range(0.3, 1.6)  # radii: distance between the centre of one puck and the path of the other's, at most
+GRAZING = 0.4  # radii: distance of the next puck's centre from the path of a struck puck, at most
+ALIKE = Range(0.6, 1.6)  # factor between the speeds of pucks on perpendicular paths
 ORIGIN = (0.0, 0.0)
 
 PlaneVector = tuple[float, float]
@@ -28,7 +28,7 @@ PlaneVector = tuple[float, float]
 
 @dataclass(frozen=True)
 class CollisionTier:
-    """How hard: how pucks meet, how heavy, fast and elastic they are, and how what is on a track is drawn."""
+    """The difficulty settings of collisions: arrangement, masses, speeds and restitution."""
 
     meetings: tuple[str, ...]  # of pucks, see `MEETINGS`
     mass: Range
@@ -39,8 +39,8 @@ class CollisionTier:
     straight: float = 0.4  # of its scenes are on a straight track
 
 
-ELASTIC = 0.4  # of the scenes on a straight track have elastic collisions
-PARTIAL = Range(0.2, 0.8)  # coefficients of restitution that nobody takes for one or for zero
+ELASTIC = 0.4  # fraction of scenes on a straight track with elastic collisions
+PARTIAL = Range(0.2, 0.8)  # coefficients of restitution clearly between zero and one
 PLAIN: Choices = {"angle?": 0.0, "joined": Count(0, 0), "buffers": Count(0, 0), "pairs": Count(0, 0)}
 TIERS = {
     "easy": CollisionTier(
@@ -92,7 +92,7 @@ WEIGHTS = {
 
 @recipe("collision", weights=WEIGHTS)
 def draw_collision(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
-    """Pucks that meet off centre, or balls, carts and walls on a straight track."""
+    """Pucks that collide off centre, or balls, carts and walls on a straight track."""
     tier = TIERS[difficulty]
     if rng.random() < tier.straight:
         restitution = 1.0 if rng.random() < ELASTIC else PARTIAL
@@ -109,7 +109,7 @@ def draw_collision(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
 
 
 def _meets(track: ComplexCollisionPlane) -> bool:
-    """Return whether not all run away from each other."""
+    """Return whether some bodies on a track approach each other."""
     speeds = [glider.v for glider in track.gliders]
     ends = [0.0] if track.left is not None else []
     speeds = [*ends, *speeds, *([0.0] if track.right is not None else [])]
@@ -117,7 +117,7 @@ def _meets(track: ComplexCollisionPlane) -> bool:
 
 
 def _drawn(kind: type, name: str, rng: np.random.Generator, drawn: Range | None = None) -> float:
-    """Return a number of a class, from its own range or a narrower one."""
+    """Return a random value of a field of a class, from its own range or a narrower one."""
     held = field_types(kind)[name]
     found = drawn or held.drawn
     assert held.measure is not None
@@ -126,7 +126,7 @@ def _drawn(kind: type, name: str, rng: np.random.Generator, drawn: Range | None 
 
 
 def _puck(tier: CollisionTier, rng: np.random.Generator, place: PlaneVector, velocity: PlaneVector = ORIGIN) -> Puck:
-    """Return a puck of any mass."""
+    """Return a puck of random mass."""
     x, y, vx, vy = (as_said(Puck, name, part) for name, part in zip(PARTS, (*place, *velocity), strict=True))
     return Puck(mass=_drawn(Puck, "mass", rng, tier.mass), x=x, y=y, vx=vx, vy=vy)
 
@@ -136,12 +136,12 @@ def _any(held: Range, rng: np.random.Generator) -> float:
 
 
 def _beside(radius: float, rng: np.random.Generator) -> float:
-    """Return how far a path passes from a centre, on either side, m."""
+    """Return a random signed offset of a path from a centre, m."""
     return float(rng.choice([-1.0, 1.0])) * _any(OFFSET, rng) * radius
 
 
 def _at_rest(radius: float, tier: CollisionTier, rng: np.random.Generator) -> tuple[Puck, ...]:
-    """Return a puck that moves along the x axis, and one at rest that it does not hit quite head-on."""
+    """Return a puck that moves along the x axis, and one at rest that it hits off centre."""
     place = (-2.0 * radius - _any(APART, rng), _beside(radius, rng))
     return _puck(tier, rng, place, (_any(tier.speed, rng), 0.0)), _puck(tier, rng, ORIGIN)
 

@@ -20,7 +20,7 @@ def _oscillates(entity: EmEntity) -> bool:
 
 
 def _is_launched(entity: EmEntity) -> bool:
-    """Return whether a bead moves at the start; if choices said so, nothing would aim it at the region."""
+    """Return whether a bead moves at the start; only then is it aimed at the region."""
     return isinstance(entity.start, Launched)
 
 
@@ -31,7 +31,7 @@ MAGNETIC = {**PLAIN, "electric?": 0.0, "magnetic?": 1.0}
 CROSSED = {**PLAIN, "electric?": 1.0, "magnetic?": 1.0}
 LAUNCHED: Choices = {"start": ("Launched",)}
 RELEASED: Choices = {"start": ("Released",)}
-RIGHT: Choices = {**LAUNCHED, "angle": 0.0}  # the way of a start of which texts say no angle
+RIGHT: Choices = {**LAUNCHED, "angle": 0.0}  # a start whose angle texts do not state
 UP: Choices = {**LAUNCHED, "angle": 90.0}
 ALONG_X = ("positive x", "negative x")
 ALONG_Y = ("positive y", "negative y")
@@ -79,5 +79,5 @@ WEIGHTS = {
 
 @recipe("electromagnetic", weights=WEIGHTS)
 def draw_electromagnetic(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
-    """A charged bead in fields that are uniform, or depend on place, velocity and time, with or without an end."""
+    """A charged bead in uniform or variable fields, with or without boundaries."""
     return one_of(IDEAS[difficulty], rng, "fields")

@@ -61,5 +61,5 @@ WEIGHTS = {
 
 @recipe("hybrid", weights=WEIGHTS)
 def draw_hybrid(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
-    """Two or three entities of both kinds, and what closes their ports."""
+    """Two or three entities with pulleys and with planes, joined by strings."""
     return grow(TIERS[difficulty], rng)

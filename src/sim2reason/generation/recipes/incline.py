@@ -14,7 +14,7 @@ from sim2reason.scenes.dsl.scene import Scene
 ON_FACES = {"system": ("OnPlane", "OnWedge", "OnWedge")}
 SIMPLE = ({"TwoSideMassPlane": 1.0},)
 WIDE = ({"TwoSideMassPlane": 2.0, "MassPrismPlane": 1.5, "MassWithFixedPulley": 1.5, "StackedMassPlane": 1.5},)
-WIDEST = ({**WIDE[0], "MassPrismPlane": 4.0},)  # of which few have room for what is joined to them
+WIDEST = ({**WIDE[0], "MassPrismPlane": 4.0},)  # few of these have room for further entities
 STACK = {"StackedMassPlane.friction": Range(0.1, 0.6), "top_friction": Range(0.1, 0.6), "StackedMassPlane.speed?": 0.3}
 TALL = {**STACK, "top?": 0.25, "top_friction?": 0.4}
 ALONE = {"speed?": 0.6}  # a plane without strings often starts with a speed
@@ -43,7 +43,7 @@ TIERS = {
         Count(2, 2), WIDEST, {**NUMBERS["hard"], **ON_FACES, **TALL}, rough=0.7, more=0.8, words=WORDS["hard"]
     ),
 }
-PULLED = 0.4  # of the easy scenes are of two blocks that a hand pulls: without it they would slide as one
+PULLED = 0.4  # fraction of easy scenes with two blocks pulled by a hand; otherwise they would slide as one
 PAIR = replace(
     TIERS["easy"],
     choices={**NUMBERS["easy"], "system": ("OnPlane",), "blocks": Count(2, 2)},

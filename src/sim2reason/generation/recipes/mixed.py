@@ -1,4 +1,4 @@
-"""Families that meet through connections: springs, pendulums and rolling bodies with strings, pulleys and planes."""
+"""Entities of different families joined by connections: springs, pendulums, rolling bodies, pulleys, planes."""
 
 import numpy as np
 

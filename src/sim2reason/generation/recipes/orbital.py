@@ -16,10 +16,9 @@ from sim2reason.scenes.entities.solar_system import SolarSystem, orbiting
 
 @dataclass(frozen=True)
 class OrbitTier:
-    """How hard: how many planets, and how long their ellipses.
+    """The difficulty settings of orbits: number of planets and eccentricity.
 
-    They do not bear on each other: two of them are there to be asked about together. Planets so heavy that they do
-    would move their star, too.
+    Planets do not attract each other, because heavy ones would also move the star; several planets allow comparisons.
     """
 
     planets: Count

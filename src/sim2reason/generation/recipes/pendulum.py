@@ -22,7 +22,7 @@ SENT = {**RELEASED, "angle": Range(15.0, 60.0), "speed?": 1.0}
 
 
 def _goes_slack(drawn: Pendulum) -> bool:
-    """Return whether a bob sent along its arc leaves it before the highest point of the circle."""
+    """Return whether the string of a pendulum goes slack before the highest point of the circle."""
     rise = 1.0 - cos(radians(drawn.angle))
     square = (drawn.speed or 0.0) ** 2 / (GRAVITY * drawn.hanger.length) + 2.0 * rise
     return SLACKENS[0] < square < SLACKENS[1]
@@ -77,7 +77,7 @@ WEIGHTS = {
 
 @recipe("pendulum", share=2, weights=WEIGHTS)
 def draw_pendulum(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
-    """A bob on a string or a light rod, perhaps on a carriage: released, set moving, or so fast that it goes slack."""
+    """A bob on a string or light rod, perhaps on a carriage: released, launched, or fast enough to go slack."""
     if rng.random() < CARRIED.get(difficulty, 0.0):
         return grow(TIERS[difficulty], rng)
     return one_of(IDEAS[difficulty], rng, "pendulum")

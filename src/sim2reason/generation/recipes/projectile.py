@@ -1,4 +1,4 @@
-"""Balls that are thrown, and bounce."""
+"""Thrown balls, which may bounce."""
 
 import numpy as np
 
@@ -30,5 +30,5 @@ IDEAS = {
 
 @recipe("projectile", weights={"extremum": 0.03, "state": 0.5, "optimum": 2.0})  # which hang on few of the numbers
 def draw_projectile(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
-    """A ball thrown from a height: where it lands, and how it goes on from there."""
+    """A ball thrown from a height, which may bounce."""
     return one_of(IDEAS[difficulty], rng, "throw")

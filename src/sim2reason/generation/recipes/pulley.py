@@ -10,7 +10,7 @@ from sim2reason.scenes.dsl.measures import Count
 from sim2reason.scenes.dsl.scene import Scene
 
 MOVABLE = "MassWithMovablePulley"
-MOVABLE_WORDS = 7  # more, for what a movable pulley takes to tell
+MOVABLE_WORDS = 7  # additional words to describe a movable pulley
 POOL = ({"MassWithFixedPulley": 2.0}, {MOVABLE: 1.5, "MassWithReverseMovablePulley": 1.5})  # else it were a chain
 SYSTEMS = ("MassWithFixedPulley.system", f"{MOVABLE}.left", f"{MOVABLE}.right")
 HANGING = dict.fromkeys(SYSTEMS, ("Hanging",))
@@ -48,5 +48,5 @@ WEIGHTS = {
 
 @recipe("pulley", weights=WEIGHTS)
 def draw_pulley(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
-    """Two or three pulley entities, every open end closed."""
+    """Two or three pulley entities joined by strings."""
     return grow(TIERS[difficulty], rng)

@@ -13,7 +13,7 @@ KIND = "RocketEntity"
 
 
 def _waits(rocket: RocketEntity) -> bool:
-    """Return whether its thrust cannot lift it before it has burnt some of its fuel."""
+    """Return whether the thrust cannot lift the rocket before some fuel is burnt."""
     return rocket.thrust < rocket.rocket.mass * GRAVITY
 
 
@@ -39,5 +39,5 @@ WEIGHTS = {
 
 @recipe("rocket", weights=WEIGHTS)
 def draw_rocket(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
-    """A rocket that burns its fuel: in deep space, above level ground, from a planet that really pulls."""
+    """A rocket that burns its fuel: in deep space, above level ground, or leaving a planet."""
     return one_of(IDEAS[difficulty], rng, "rocket")

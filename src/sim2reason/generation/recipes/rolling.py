@@ -1,4 +1,4 @@
-"""Round bodies that roll, slip till they roll, or rock, and prisms that tumble."""
+"""Round bodies that roll, slip before rolling, or rock, and prisms that tumble."""
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from sim2reason.scenes.entities.rolling import RollingEntity
 
 KIND, PRISM = "RollingEntity", "TumblingPrism"
 CENTRED = ("Sphere", "SphericalShell", "Roller", "Pipe", "Disc", "Hoop")
-ANY = (*CENTRED, "HollowSphere", "ThickPipe")  # how thick a wall is counts where it is set spinning
+ANY = (*CENTRED, "HollowSphere", "ThickPipe")  # the thickness of the wall matters if the body is set spinning
 HOLED = ("BoredCylinder", "SphereWithHole")
 ROLLS = {"body": CENTRED, "grip": ("NoSlipping",), "way": ("up the slope", "down the slope"), "start": ("Rolling",)}
 LEVEL = {
@@ -32,11 +32,11 @@ ROCKS = {  # with a hole so large, a centre of mass so low, and on so gentle a s
     "hole": Range(0.11, 0.15),
     "offset": Range(0.03, 0.055),
 }
-COUNTS = 1.22  # times the inertia that it would have without its hole, about its centre of mass: less would be forgiven
+COUNTS = 1.22  # least ratio of the moments of inertia with and without the hole
 
 
 def _hole_counts(entity: RollingEntity) -> bool:
-    """Return whether who forgets the hole in the moment of inertia gets another answer."""
+    """Return whether omitting the hole from the moment of inertia changes the answer."""
     solid, plain = (held.inertia(1.0)[1] for held in (entity.body.solid, entity.body.plainer["hole"]))
     return solid >= COUNTS * plain
 

@@ -38,19 +38,19 @@ NEAR = Range(0.1, 0.5)  # m, from the axle, for what has a size
 FAR = Range(0.2, 0.8)  # m, for small balls
 PUSH = Range(2.5, 6.0)  # rad/s
 SOLID = {AxialPiece: 0.5, RoundPiece: 0.2, CappedPiece: 0.05, TiltedPiece: 0.05, HoledPiece: 0.05, BarPiece: 0.15}
-SMALL = 0.7  # the chance that a further piece is a small ball
-UNBALANCED = 0.3  # of Σ m |x| is left of Σ m x, at least: arms near balance hang on the last digits of all numbers
-OWN = 0.175  # of all inertia that belongs to the pieces about their own centres: less would be forgiven
-MOVED = 1.0 / OWN - 1.0  # times as much inertia may come from their distances
+SMALL = 0.7  # probability that a further piece is a small ball
+UNBALANCED = 0.3  # smallest |Σ m x| / Σ m |x|; arms near balance are ill-conditioned
+OWN = 0.175  # smallest fraction of the inertia from rotation of pieces about their own centres
+MOVED = 1.0 / OWN - 1.0  # largest ratio of the inertia from the distances of pieces to that about their own centres
 CLEAR = 0.02  # m, from the axle to the surface of a piece
-MANY = 3  # pieces, of which one may have a size without bearing
-TRIES = 10  # pieces that are drawn before all are drawn anew
+MANY = 3  # pieces, from which on the size of one may be irrelevant
+TRIES = 10  # draws of a single piece before all are drawn again
 DRAWS = 60 * TRIES
 
 
 @dataclass(frozen=True)
 class SwingTier:
-    """How hard: how many pieces, and how often they are pushed."""
+    """The difficulty settings of rotation: number of pieces, and probability of a push."""
 
     pieces: Count
     pushed: float
@@ -79,7 +79,7 @@ WEIGHTS = {
 
 @recipe("rotation", share=2, weights=WEIGHTS)
 def draw_rotation(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
-    """Up to three solid bodies fixed to a light arm: let go, or set turning."""
+    """Up to three solid bodies fixed to a light arm on an axle: released, or set in rotation."""
     tiers = TIERS[difficulty]
     tier = tiers[int(rng.integers(len(tiers)))]
     choices = {"rate?": tier.pushed, "rate": PUSH}
@@ -88,7 +88,7 @@ def draw_rotation(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
 
 
 def _pieces(tier: SwingTier, rng: np.random.Generator) -> tuple[WeldedPiece, ...]:
-    """One that is large, and others, perhaps small, where there is room on the arm; last those beyond the axle."""
+    """Return random pieces on an arm, a large one first and those beyond the axle last."""
     count, found = 0, list[WeldedPiece]()
     kinds, chances = [*SOLID], np.array([*SOLID.values()])
     for attempt in range(DRAWS):
@@ -106,7 +106,7 @@ def _pieces(tier: SwingTier, rng: np.random.Generator) -> tuple[WeldedPiece, ...
 
 
 def _drawn_near(kind: type[WeldedPiece], rng: np.random.Generator, others: Sequence[WeldedPiece]) -> WeldedPiece | None:
-    """Draw a piece near enough to the axle that the size of each piece matters; None if it can't be so near."""
+    """Draw a piece so close to the axle that the size of each piece matters; None if impossible."""
     distances = FAR if kind is BallPiece else NEAR
     choices = {**SIZES, "side?": 0.4, "side": (OTHER,), "distance": distances}
     piece = draw(kind, rng, choices, {} if others else {"side": FIRST})
@@ -118,9 +118,9 @@ def _drawn_near(kind: type[WeldedPiece], rng: np.random.Generator, others: Seque
 
 
 def _farthest(piece: WeldedPiece, others: Sequence[WeldedPiece]) -> float:
-    """Return the greatest distance, m, at which enough of the inertia belongs to the pieces about their own centres.
+    """Return the largest distance, m, at which enough inertia is about the pieces' own centres.
 
-    A piece that is no small ball has enough of its own; NaN if there is no such distance.
+    Any distance suffices for a piece that is not a small ball; NaN if there is no such distance.
     """
     solid, mass, share, before = _solid(piece), piece.shape.mass, _share(piece), _total(map(_share, others))
     most = MOVED * (before.own + share.own) - before.moved
@@ -134,21 +134,21 @@ def _farthest(piece: WeldedPiece, others: Sequence[WeldedPiece]) -> float:
 
 
 def _fits(piece: WeldedPiece, others: Sequence[WeldedPiece]) -> bool:
-    """Return whether a piece leaves the axle free, stays clear of it, and is beside the others."""
+    """Return whether a piece clears the axle and overlaps no other piece."""
     clear = min(map(abs, piece.span)) >= CLEAR
     return clear and not holds_axle(piece) and all(is_clear(piece, other) for other in others)
 
 
 def is_clear(one: WeldedPiece, other: WeldedPiece) -> bool:
-    """Return whether two pieces on one arm are beside one another, and neither reaches past the axle."""
+    """Return whether two pieces on one arm do not overlap, and neither extends past the axle."""
     (low, high), (near, far) = one.span, other.span
     return (high < near or far < low) and not any(begin < 0.0 < end for begin, end in (one.span, other.span))
 
 
 def _bear(pieces: Sequence[WeldedPiece], *, unmoved: int) -> bool:
-    """Return whether all numbers of some pieces but `unmoved` affect how an arm with them moves.
+    """Return whether all numbers of some pieces, except `unmoved` ones, affect the motion of the arm.
 
-    The mass of a lone piece cancels.
+    The mass of a single piece cancels.
     """
     shares = [_share(piece) for piece in pieces]
     for number, piece in enumerate(pieces):
@@ -166,7 +166,7 @@ def _is_unbalanced(pieces: Sequence[WeldedPiece]) -> bool:
 
 
 class _Share(NamedTuple):
-    """Contribution of pieces of an arm to Σ m x and to the moment of inertia about the axle."""
+    """The contribution of pieces to Σ m x and to the moment of inertia about the axle."""
 
     moment: float  # m x, kg·m
     own: float  # moment of inertia about their own centres, kg·m²

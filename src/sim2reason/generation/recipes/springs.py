@@ -15,24 +15,24 @@ from sim2reason.scenes.entities.spring_block import SpringBlock
 from sim2reason.scenes.entities.springs_on_planes import SpringMassIncline
 
 KIND, PLANE = "SpringBlock", "SpringMassIncline"
-FAR = {"SpringBlock.x": Range(0.25, 0.8), "SpringBlock.y": 0.0}  # of the nail at the origin
+FAR = {"SpringBlock.x": Range(0.25, 0.8), "SpringBlock.y": 0.0}  # from the nail at the origin
 # one spring from the origin: energy and angular momentum are kept
 CENTRAL = {"springs": Count(1, 1), "NailedSpring.x": 0.0, "NailedSpring.y": 0.0, "damping?": 0.0, "launch?": 1.0, **FAR}
 ACROSS = {**CENTRAL, "Launch.x": 0.0}  # launched at right angles to the spring
-EVEN = {"stiffness": Range(50.0, 200.0)}  # so that each of them counts
+EVEN = {"stiffness": Range(50.0, 200.0)}  # comparable values, so that all matter
 ROUGH = {
     "stiffness": Range(40.0, 160.0),
     "mass": Range(0.5, 2.0),
     "friction": Range(0.25, 0.6),
 }
-STRAINED = 0.07  # of its natural length, at least: less hangs on the last digits of both lengths
-DRIVEN = 0.25  # times the block's weight, at least, is what moves it at the start: with less it soon stays
-UNLIKE = 0.18  # of tan θ from 1, at least: nearer to it, who takes the sine for the cosine is right
+STRAINED = 0.07  # of the natural length: smallest initial strain, for good conditioning
+DRIVEN = 0.25  # of the block's weight: smallest initial driving force; less soon leaves it at rest
+UNLIKE = 0.18  # smallest |tan θ − 1|, so that confusing sine and cosine changes the answer
 CLEAR = 0.08  # m, from a spring to the nail of another one
 
 
 def _starts_well(held: SpringMassIncline) -> bool:
-    """Return whether the spring of a block on a rough plane is strained enough to set it moving properly."""
+    """Return whether the spring of a block on a rough plane is strained enough to set it in motion."""
     strain, angle = held.start - held.spring.length, radians(held.plane.angle)
     pull = held.spring.stiffness * strain / (GRAVITY * held.block.mass) + sin(angle)  # down the slope
     moves = abs(pull) - held.plane.friction * cos(angle) >= DRIVEN
@@ -40,14 +40,14 @@ def _starts_well(held: SpringMassIncline) -> bool:
 
 
 def _apart(held: SpringBlock) -> bool:
-    """Return whether every spring stays clear of the nails of the others."""
+    """Return whether every spring is clear of the nails of the others."""
     block = complex(held.x, held.y)
     nails = [complex(spring.x, spring.y) - block for spring in held.springs]
     return all(_distance(other, nail) > CLEAR for nail, other in permutations(nails, 2))
 
 
 def _distance(point: complex, end: complex) -> float:
-    """Return the distance, m, from a point to the segment from the block to a nail; both are relative to the block."""
+    """Return the distance, m, from a point to the segment between the block and a nail."""
     share = (point / end).real
     return abs(point - min(max(share, 0.0), 1.0) * end)
 
@@ -94,5 +94,5 @@ WEIGHTS = {
 
 @recipe("springs", share=2, weights=WEIGHTS)
 def draw_springs(difficulty: Difficulty, rng: np.random.Generator) -> Scene:
-    """A block on a smooth table that several springs pull from different sides, or on a rough plane at one spring."""
+    """A block on a smooth table held by several springs at angles, or on a rough plane at one spring."""
     return one_of(IDEAS[difficulty], rng, "springs")

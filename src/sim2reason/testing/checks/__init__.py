@@ -1,4 +1,4 @@
-"""The checks of the kit, one file each: what must hold of every entity."""
+"""The checks of the conformance kit, one file each."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator
@@ -10,13 +10,13 @@ from sim2reason.testing.specimens import Specimens
 
 
 class Check(ABC):
-    """Something that must hold of every entity. The first line of a check's docstring says what."""
+    """A property that every entity must have, stated in the first line of the check's docstring."""
 
     name: ClassVar[str]
 
     @abstractmethod
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """Return what does not hold in these scenes, at most a few of each kind."""
+        """Yield the violations in these scenes, a few of each kind."""
 
 
 C = TypeVar("C", bound=Check)
@@ -24,6 +24,6 @@ CHECKS: Registry[Check] = Registry("testing.checks")
 
 
 def check(cls: type[C]) -> type[C]:
-    """Enter a check under its name."""
+    """Register a check class under its name."""
     CHECKS.add(cls.name, cls())
     return cls

@@ -1,4 +1,4 @@
-"""Ablations."""
+"""Check of scenes with parts removed or bodies held fixed."""
 
 from collections.abc import Callable, Iterator
 
@@ -19,12 +19,12 @@ SCENES = 4
 
 @check
 class AblationsCheck(Check):
-    """Without an optional part or a member it is a scene, or refused in words, and a body that is glued stays put."""
+    """Check that scenes stay valid, or are refused with a reason, if a part is removed or a body is held fixed."""
 
     name = "ablations"
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """Take out what can be taken out, and glue what can move."""
+        """Remove every optional part, and fix every movable body."""
         for found in specimens.some(SCENES):
             for address in removable(found.scene):
                 yield from self._without(found, address)
@@ -56,7 +56,7 @@ class AblationsCheck(Check):
             yield found.finding(self.name, expected, f"{error}\n  text: {text}", remedy)
 
     def _glued(self, found: Specimen, body: str) -> Iterator[Finding]:
-        """Yield a finding if a glued body can still move, or the rest of the scene cannot be simulated."""
+        """Yield a finding if a fixed body can still move, or the rest of the scene cannot be simulated."""
         expected, remedy = f"{body} can be glued to what carries it", "let build say all of a body through the frame"
         try:
             scene = _made(lambda: found.scene.gluing(body))
@@ -71,7 +71,7 @@ class AblationsCheck(Check):
 
 
 def _made(make: Callable[[], Scene]) -> Scene | None:
-    """Return a changed scene that fits together; None if it is refused."""
+    """Return a changed scene if it is valid; None if it is refused."""
     try:
         scene = make()
         scene.check()
@@ -81,7 +81,7 @@ def _made(make: Callable[[], Scene]) -> Scene | None:
 
 
 def removable(scene: Scene) -> Iterator[str]:
-    """Yield the addresses of what the entity can do without: optional fields that are there, and members of lists."""
+    """Yield the addresses of removable parts: optional fields with a value, and members of lists."""
     yield from _removable(scene.entity(IT), IT)
 
 

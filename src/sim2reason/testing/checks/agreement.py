@@ -1,4 +1,4 @@
-"""Both engines agree."""
+"""Check that both engines agree."""
 
 from collections.abc import Iterator
 
@@ -7,17 +7,17 @@ from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding
 from sim2reason.testing.specimens import Specimen, Specimens
 
-REFUSED = 0.1  # the share of scenes that may be refused, with a reason; of few scenes one
+REFUSED = 0.1  # fraction of scenes that may be refused with a reason; at least one scene
 
 
 @check
 class AgreementCheck(Check):
-    """Both engines tell the same motion of nine scenes in ten, and refuse the others with a reason."""
+    """Check that both engines compute the same motion for nine of ten scenes, and refuse others with a reason."""
 
     name = "agreement"
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """Yield every scene that is refused, if there are too many."""
+        """Yield every refused scene if there are too many."""
         reasons = [(found, reason(found)) for found in specimens.members]
         refused = [(found, why) for found, why in reasons if why]
         if len(refused) > max(1.0, REFUSED * len(reasons)):
@@ -31,7 +31,7 @@ class AgreementCheck(Check):
 
 
 def reason(found: Specimen) -> str:
-    """Return why a motion is not certified as long as the recorded engine describes it; empty if it is."""
+    """Return why a motion is not certified to its end; empty if it is."""
     try:
         trace, certificate = found.certified
     except (SimulationError, UnsupportedError) as error:

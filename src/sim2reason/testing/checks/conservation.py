@@ -29,12 +29,12 @@ CLOSE = 1e-8  # of the largest energy that is there or exchanged
 
 @check
 class EnergyCheck(Check):
-    """Kinetic energy grows by the work of all that acts, an impact makes none, and a potential is that of its force."""
+    """Check that kinetic energy changes by the work of all forces, impacts create none, and potentials fit forces."""
 
     name = "energy"
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """From event to event; engines that burn are left out, as the mass of a body is not constant there."""
+        """Check the intervals between events, except with rocket engines, which change masses."""
         for found in specimens.moving:
             mechanism = found.study.mechanism
             if not mechanism.burns:
@@ -63,7 +63,7 @@ class EnergyCheck(Check):
                 return
 
     def _impacts(self, found: Specimen) -> Iterator[Finding]:
-        """At events: no energy is made, and none is lost where all that meets is elastic."""
+        """Yield findings for events that create energy, or lose some in elastic collisions."""
         trace = found.study.trace
         stretches = intervals(trace, found.end)
         laws = [line.law for line in trace.mechanism.lines]
@@ -112,7 +112,7 @@ def _around(trace: Trace, before: float, after: float) -> State:
 
 
 def _work(trace: Trace, force: Force, start: float, stop: float) -> tuple[float, float]:
-    """Return the work of a given force, and what it did to and fro, J."""
+    """Return the work of an applied force, and the integral of its absolute power, J."""
 
     def power(state: State) -> Array:
         velocity = state.vector(state.frames.center(force.body).velocity)
@@ -123,18 +123,18 @@ def _work(trace: Trace, force: Force, start: float, stop: float) -> tuple[float,
 
 
 def _energy_floor(mechanism: Mechanism) -> float:
-    """Return an energy that is small for a mechanism: of its heaviest body at a decimetre a second, J."""
+    """Return an energy that is negligible for a mechanism: that of its heaviest body at 0.1 m/s, J."""
     return 5e-3 * max((body.mass for body in mechanism.bodies if body.coordinates), default=1.0)
 
 
 @check
 class MomentumCheck(Check):
-    """Momentum grows by the impulse of what acts, and impacts between free bodies leave their sum as it is."""
+    """Check that momentum changes by the impulse of external forces, and impacts of free bodies conserve it."""
 
     name = "momentum"
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """Along every way in which a body slides in the room; not where feet, engines or glue act."""
+        """Check every direction in which a body slides, except with edge contacts, engines or welds."""
         for found in specimens.moving:
             mechanism = found.study.mechanism
             if not (mechanism.feet or mechanism.burns or any(hit.sticks for hit in mechanism.meetings)):
@@ -184,7 +184,7 @@ class MomentumCheck(Check):
 
 
 def free_directions(mechanism: Mechanism) -> list[Vector]:
-    """Return the directions in which everything can move and nothing fixed can push or pull at an impact."""
+    """Return the directions in which all bodies can move and no fixed object exerts an impulse."""
     roots = [body for body in mechanism.bodies if body.parent is None]
     held = any(mechanism.site[site].body is None for line in mechanism.lines for site in line.through)
     rough = any(face.friction > 0.0 for face in mechanism.faces)
@@ -199,5 +199,5 @@ def free_directions(mechanism: Mechanism) -> list[Vector]:
 
 
 def _momentum_floor(mechanism: Mechanism) -> float:
-    """A momentum that is small for a mechanism: of its heaviest body, or of 1 kg, at a decimetre a second, kg m/s."""
+    """Return a momentum that is negligible for a mechanism: of its heaviest body, or 1 kg, at 0.1 m/s, kg m/s."""
     return 0.1 * (max((body.mass for body in mechanism.bodies if body.coordinates), default=0.0) or 1.0)

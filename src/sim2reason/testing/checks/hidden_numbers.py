@@ -1,4 +1,4 @@
-"""Checks of numbers that a text states or hides."""
+"""Checks of stated and hidden numbers."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -24,18 +24,18 @@ WORDINGS = 3
 
 @check
 class GivensCheck(Check):
-    """Every number that an answer depends on is said: those declared in every wording, g, masses, and no others."""
+    """Check that every number on which an answer depends is stated, in every wording, and no other."""
 
     name = "givens"
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """Change what the text does not say, declared or not, and ask again."""
+        """Change numbers that the text does not state, declared or not, and ask again."""
         for found in specimens.moving:
             yield from self._declared(found)
             yield from self._undeclared(found)
 
     def _declared(self, found: Specimen) -> Iterator[Finding]:
-        """Numbers of the scene that some wording does not speak, and that matter."""
+        """Yield findings for numbers of the scene that matter but are missing in some wording."""
         heard = [set(spoken(found.scene, seed)) for seed in range(found.seed, found.seed + WORDINGS)]
         for parameter in found.scene.parameters:
             path, value = parameter.path, parameter.value
@@ -52,7 +52,7 @@ class GivensCheck(Check):
                 )
 
     def _undeclared(self, found: Specimen) -> Iterator[Finding]:
-        """Masses and coefficients of the mechanism that no number of the text decides, and that matter."""
+        """Yield findings for masses and coefficients of the mechanism that matter but follow from no stated number."""
         mechanism = found.study.mechanism
         for name, other in _shifted(mechanism):
             if name in _decided(found):
@@ -68,7 +68,7 @@ class GivensCheck(Check):
 
 
 def _facts(mechanism: Mechanism) -> dict[str, float]:
-    """Return what a mechanism knows of masses, friction and bounces, by what it is."""
+    """Return the masses and coefficients of a mechanism, by description."""
     found = {f"the mass of {body.name}": body.mass for body in mechanism.bodies}
     found |= {f"the friction under {face.subject}": face.friction for face in mechanism.faces}
     found |= {f"the restitution of {' and '.join(hit.names)}": hit.restitution for hit in mechanism.meetings}
@@ -76,7 +76,7 @@ def _facts(mechanism: Mechanism) -> dict[str, float]:
 
 
 def _decided(found: Specimen) -> set[str]:
-    """Return the facts that change with some number of the text."""
+    """Return the facts that change with some stated number."""
     before, decided = _facts(found.study.mechanism), set[str]()
     for path, parameter in spoken(found.scene).items():
         other = changed(found.scene, {path: (parameter.value or 0.0) * SHIFT})
@@ -87,7 +87,7 @@ def _decided(found: Specimen) -> set[str]:
 
 
 def _shifted(mechanism: Mechanism) -> Iterator[tuple[str, Mechanism]]:
-    """Yield the mechanism with one fact after another changed."""
+    """Yield the mechanism with one fact changed at a time."""
     for name in _facts(mechanism):
         bodies = tuple(_heavier(body) if name == f"the mass of {body.name}" else body for body in mechanism.bodies)
         faces = tuple(
@@ -125,12 +125,12 @@ DRAWS = 3
 
 @check
 class HiddenNumbersCheck(Check):
-    """Numbers marked `Hidden` change no answer while both motions are described."""
+    """Check that numbers marked `Hidden` change no answer."""
 
     name = "hidden numbers"
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """Draw all of them anew, and ask again."""
+        """Draw all hidden numbers again, and ask again."""
         for found in specimens.moving:
             rng = np.random.default_rng([found.seed, 7])
             hidden = [p for p in found.scene.parameters if p.hidden and p.value is not None]
@@ -150,7 +150,7 @@ class HiddenNumbersCheck(Check):
 
 
 def _redrawn(scene: Scene, parameter: Parameter, rng: np.random.Generator) -> float:
-    """Another value from what the field declares, or up to twice as large where it declares nothing."""
+    """Return another value from the field's declared range, or up to twice the value without a range."""
     owner, _, name = parameter.path.rpartition(".")
     held = field_types(type(cast("Model", scene.value(owner))))[name]
     value = parameter.value or 1.0

@@ -1,4 +1,4 @@
-"""Pictures."""
+"""Checks of drawings and plots."""
 
 from collections.abc import Iterator
 from math import hypot
@@ -20,17 +20,17 @@ from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding
 from sim2reason.testing.specimens import STILL, Specimen, Specimens
 
-FILES = 1  # scenes that are written as files: most of the cost is matplotlib's
+FILES = 1  # scenes written as files, whose cost is mostly matplotlib's
 
 
 @check
 class DrawnCheck(Check):
-    """The initial state is drawn, with the name of every body that the text calls by a letter."""
+    """Check that the initial state can be drawn, with the name of every body that has a letter."""
 
     name = "drawing"
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """Yield all scenes as shapes, the first one also as a file."""
+        """Draw all scenes as shapes, the first one also as a file."""
         for found in specimens.members:
             yield from self._drawn(found)
         for found in specimens.some(FILES):
@@ -64,12 +64,12 @@ class DrawnCheck(Check):
 
 @check
 class PlottedCheck(Check):
-    """Everything that the text speaks of and that moves has a curve in the plots."""
+    """Check that every moving object in the text has a curve in the plots."""
 
     name = "plots"
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """Yield all motions as curves, the first one also as a file."""
+        """Plot all motions as curves, the first one also as a file."""
         expected, remedy = "a plot shows all that moves", "name bodies in build as their fields are"
         panels = 0
         for found in specimens.moving:
@@ -91,7 +91,7 @@ class PlottedCheck(Check):
 
 
 def moving(found: Specimen) -> list[str]:
-    """Return the bodies of the text whose centre of mass moves as they themselves do, not only what carries them."""
+    """Return the bodies of the text that move by themselves, not only with a carrying body."""
     state, said = found.study.trace.state, found.words.mentions
     shift = QUANTITIES["displacement"].evaluate
     within = state.times <= found.end
@@ -100,14 +100,14 @@ def moving(found: Specimen) -> list[str]:
 
 
 def _moves_itself(mechanism: Mechanism, body: RigidBody) -> bool:
-    """Return whether a coordinate of its own moves its centre of mass; a wheel's does not."""
+    """Return whether a coordinate of the body itself moves its centre of mass; a wheel's rotation does not."""
     gradient = start(mechanism).center(body.name).gradient
     ways = (gradient.get(mechanism.number[own.name], ZERO) for own in body.coordinates)
     return any(hypot(*way) > STILL for way in ways)
 
 
 def plotted(found: Specimen) -> set[str]:
-    """Return what has a curve in some panel."""
+    """Return the names of the objects with a curve in some panel."""
     mechanism, said = found.study.mechanism, found.words.mentions
     shown = [quantity for quantity in QUANTITIES.values() if quantity.panel]
     return {name for quantity in shown for name in quantity.of.phrases(mechanism, said)}

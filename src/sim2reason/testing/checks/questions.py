@@ -1,4 +1,4 @@
-"""Questions."""
+"""Check of questions about an entity."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -12,18 +12,18 @@ from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding
 from sim2reason.testing.specimens import Specimen, Specimens
 
-LEAST = 2  # kinds
+LEAST = 2  # question kinds
 TRIES = 4
 
 
 @check
 class QuestionsCheck(Check):
-    """Questions of at least two kinds can be asked of it, and each sentence leads back to its question."""
+    """Check that at least two kinds of questions can be asked, and each sentence parses back to its question."""
 
     name = "questions"
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """Ask every kind of every scene."""
+        """Ask a question of every kind about every scene."""
         asked = set[str]()
         for found in specimens.moving:
             for kind in KINDS:

@@ -1,4 +1,4 @@
-"""No declared range is dead."""
+"""Check of declared ranges."""
 
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping
@@ -18,21 +18,21 @@ from sim2reason.testing.checks import Check, check
 from sim2reason.testing.report import Finding
 from sim2reason.testing.specimens import IT, Specimen, Specimens, changed, specimen, spoken, studied
 
-DRAWS, MANY = 60, 300  # seeds of draws, and how many where something seems to be constant
-OFTEN = 12  # times that something must have been drawn to be called constant
-FRESH, MOST = 1000, 150  # the first seed of scenes that are drawn besides where a number seems not to matter; how many
-MORE = 12  # of those that have the number, after which it does not
+DRAWS, MANY = 60, 300  # seeds of draws, and their number where a value seems to be constant
+OFTEN = 12  # draws after which an unchanged value counts as constant
+FRESH, MOST = 1000, 150  # first seed and number of extra scenes for a number that seems irrelevant
+MORE = 12  # scenes with a number after which it counts as irrelevant
 SHIFTS = (1.01, 0.99)
 
 
 @check
 class RangesCheck(Check):
-    """Every number and every choice that the class declares varies over draws, and in some scene an answer with it."""
+    """Check that every declared number and choice varies between draws, and affects an answer in some scene."""
 
     name = "ranges"
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """Draw many entities; then change one number after another of those that were looked at."""
+        """Draw many entities, then change each number in turn."""
         for name in _constant(specimens.cls):
             yield Finding(
                 self.name, f"{name} varies", f"it is the same in {MANY} draws", "widen its Range, or leave it out"
@@ -56,7 +56,7 @@ class RangesCheck(Check):
 
 @dataclass
 class _Looked:
-    """What was seen of the entity's numbers: a scene with each, and those with which an answer changes."""
+    """The numbers of an entity seen so far: a scene with each, and those that affect an answer."""
 
     seen: dict[str, Specimen] = field(default_factory=dict[str, Specimen])
     alive: set[str] = field(default_factory=set[str])
@@ -64,7 +64,7 @@ class _Looked:
 
     @property
     def dead(self) -> list[str]:
-        """The numbers with which no answer has changed so far."""
+        """Return the numbers that have affected no answer so far."""
         return sorted(self.seen.keys() - self.alive)
 
     @property
@@ -73,7 +73,7 @@ class _Looked:
         return [name for name in self.dead if self.again_with[name] < MORE]
 
     def at(self, found: Specimen, only: Collection[str] | None = None) -> None:
-        """Change one number of a scene after another, those that are not known to matter."""
+        """Change each number of a scene that is not yet known to matter."""
         for path in spoken(found.scene, found.seed):
             name = _field(path)
             if path.startswith(f"{IT}.") and name not in self.alive and (only is None or name in only):
@@ -82,7 +82,7 @@ class _Looked:
                     self.alive.add(name)
 
     def again(self, found: Specimen) -> None:
-        """Look at another scene for what seems not to matter and was not changed often."""
+        """Test the seemingly irrelevant, rarely changed numbers in another scene."""
         if found.moves:
             dead = self.open
             self.again_with.update({_field(path) for path in spoken(found.scene, found.seed)}.intersection(dead))
@@ -90,12 +90,12 @@ class _Looked:
 
 
 def _field(path: str) -> str:
-    """Return the address of a number with ``*`` for the places of members."""
+    """Return the address of a number with ``*`` in place of indices."""
     return ".".join("*" if step.isdigit() else step for step in path.split("."))
 
 
 def _matters(found: Specimen, path: str) -> bool:
-    """Return whether an answer changes with a number."""
+    """Return whether changing a number changes an answer."""
     value = next(p.value for p in found.scene.parameters if p.path == path) or 0.0
     tried = [value * shift if value else shift - 1.0 for shift in SHIFTS]
     owner, _, name = path.rpartition(".")
@@ -112,7 +112,7 @@ def _matters(found: Specimen, path: str) -> bool:
 
 
 def _constant(cls: type[Entity]) -> list[str]:
-    """Return what is declared to vary and does not."""
+    """Return the declared ranges and choices that never vary."""
     values: dict[str, list[object]] = {}
     for seed in range(MANY):
         if seed >= DRAWS and not _alike(values):
@@ -127,12 +127,12 @@ def _constant(cls: type[Entity]) -> list[str]:
 
 
 def _alike(values: Mapping[str, list[object]]) -> list[str]:
-    """Return what was drawn often and was always the same."""
+    """Return the names with many drawn values that are all equal."""
     return sorted(name for name, held in values.items() if len(held) >= OFTEN and len(set(held)) == 1)
 
 
 def _varying(value: Model) -> Iterator[tuple[str, object]]:
-    """Everything about a value and its parts that a draw decides."""
+    """Yield all randomly drawn data of an object and its parts, with their addresses."""
     for name, kind in field_types(type(value)).items():
         held, called = getattr(value, name), f"{type(value).__name__}.{name}"
         if kind.optional:

@@ -1,4 +1,4 @@
-"""From a scene to its file and its text, and back."""
+"""Check of the round trip from a scene to its file and text, and back."""
 
 from collections.abc import Iterator
 
@@ -17,12 +17,12 @@ WORDINGS = 3
 
 @check
 class RoundTripCheck(Check):
-    """A file is read back as the same scene, and so is a text, in several wordings."""
+    """Check that files and texts, in several wordings, parse back to the same scene."""
 
     name = "round trip"
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """Yield all scenes, each in several wordings."""
+        """Write and parse all scenes, each in several wordings."""
         for found in specimens.members:
             yield from self._file(found)
             wordings = range(found.seed, found.seed + WORDINGS)
@@ -50,17 +50,17 @@ class RoundTripCheck(Check):
 
 
 def meaning(description: Description) -> Signature:
-    """Return what a scene means, whatever entities it is made of, by what its text calls bodies."""
+    """Return the equivalence signature of a described scene, by the names in its text."""
     scene = description.scene
     return signature(scene, {address: description.mention(address) for address in scene.bodies})
 
 
 def meant(parsed: ParsedScene) -> Signature:
-    """Return what a text that was read means."""
+    """Return the equivalence signature of a parsed text."""
     return signature(parsed.scene, parsed.mentions)
 
 
 def numbers(scene: Scene) -> list[tuple[str, float]]:
-    """Return all that a text tells; a pulley without mass may belong to an entity or to a string."""
+    """Return all stated numbers; a massless pulley may belong to an entity or to a string."""
     said = [(p.measure.name, p.value) for p in scene.parameters if not p.hidden and p.value is not None]
     return sorted(number for number in said if number != ("pulley mass", 0.0))

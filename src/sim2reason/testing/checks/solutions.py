@@ -1,4 +1,4 @@
-"""Worked solutions."""
+"""Check of worked solutions."""
 
 from collections.abc import Iterator
 
@@ -18,7 +18,7 @@ TRIES = 3  # questions about one scene
 
 @check
 class SolutionsCheck(Check):
-    """A solution by formulas of some question about an entity's constant forces, so that symbols can be asked."""
+    """Check that some question about an entity with constant forces has a worked solution in formulas."""
 
     name = "solutions"
 

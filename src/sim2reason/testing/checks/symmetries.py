@@ -21,12 +21,12 @@ CLOSE = 1e-9  # of the largest value, or of 1 in SI units
 
 @check
 class MirrorImageCheck(Check):
-    """The mirror image, left and right exchanged, moves as the mirror image does."""
+    """Check that the mirror image of a scene moves as the mirror image of its motion."""
 
     name = "mirror image"
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """Coordinates and their rates, while the motion is described."""
+        """Compare coordinates and their rates up to the end of both motions."""
         for found in specimens.moving:
             what = self._parted(found)
             if what:
@@ -34,7 +34,7 @@ class MirrorImageCheck(Check):
                 yield found.finding(self.name, "the mirror image moves as the mirror image", what, remedy)
 
     def _parted(self, found: Specimen) -> str:
-        """Return where the two motions part, in words; empty if they do not."""
+        """Return where the two motions differ, in words; empty if they agree."""
         trace = found.study.trace
         try:
             image = ENGINES[RECORDED](mirrored(trace.mechanism), trace.state.times)
@@ -63,19 +63,19 @@ def _apart(trace: Trace, image: Trace, end: float) -> str:
 
 @dataclass(frozen=True)
 class Units:
-    """Units so many times smaller, powers of two, so that no rounding differs; the numbers grow by as much."""
+    """Units smaller by powers of two, which cause no rounding; numerical values grow by the same factors."""
 
     length: float = 1.0
     mass: float = 1.0
     time: float = 1.0
 
     def factor(self, dimension: Dimension) -> float:
-        """By how much numbers of a dimension grow; angles and cycles do not."""
+        """Return the factor on values of a dimension; 1 for angles and cycles."""
         return self.length**dimension.length * self.mass**dimension.mass * self.time**dimension.time
 
     @property
     def text(self) -> str:
-        """In words."""
+        """Return the change of units in words."""
         grown = {"lengths": self.length, "masses": self.mass, "times": self.time}
         return ", ".join(f"all {name} × {factor:g}" for name, factor in grown.items() if factor != 1.0)
 
@@ -86,12 +86,12 @@ KEPLER = (Units(length=4.0, time=8.0), Units(mass=4.0, time=0.5))  # the constan
 
 @check
 class ScalingCheck(Check):
-    """The numbers of the text in other units give the answers in those units: no number with a unit is left unsaid."""
+    """Check that the text's numbers in other units give the same answers in those units."""
 
     name = "scaling"
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """Double all lengths that the text says, then all masses, then all times."""
+        """Double all stated lengths, then all masses, then all times."""
         for found in specimens.moving:
             for units in KEPLER if found.study.mechanism.attractions else APART:
                 yield from self._scaled(found, units)
@@ -109,7 +109,7 @@ class ScalingCheck(Check):
 
 
 def scaled(found: Specimen, units: Units) -> Study | None:
-    """The scene with every number that its text says in other units, and its motion; None if that is not valid."""
+    """Return the scene with its stated numbers in other units, simulated; None if it is invalid."""
     numbers = {
         path: parameter.value * units.factor(parse_unit(parameter.measure.unit).dimension)
         for path, parameter in spoken(found.scene, found.seed).items()

@@ -1,4 +1,4 @@
-"""Checks of texts: wordings, symbols, and numbers that cannot be left out."""
+"""Checks of texts: wordings, symbols, and indispensable numbers."""
 
 from collections.abc import Iterator
 from typing import get_args
@@ -21,12 +21,12 @@ LEAST = 3
 
 @check
 class WordingsCheck(Check):
-    """Every line of the class and of its parts can be said in at least three ways."""
+    """Check that every sentence of the class and its parts has at least three wordings."""
 
     name = "wordings"
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """Lines with fewer."""
+        """Yield the sentences with fewer wordings."""
         for model in reachable(specimens.cls):
             lines = model.says if issubclass(model, Part) else ()
             for saying in (line for line in lines if not isinstance(line, PartLines)):
@@ -39,12 +39,12 @@ class WordingsCheck(Check):
 
 @check
 class SymbolsCheck(Check):
-    """In the symbolic voice every given has a symbol of its own, and it stands in the text."""
+    """Check that every stated number has its own symbol in the symbolic text."""
 
     name = "symbols"
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """Two givens with one symbol, and symbols that the text lacks."""
+        """Yield pairs of numbers with one symbol, and symbols missing in the text."""
         for found in specimens.members:
             yield from self._shared(found)
 
@@ -69,18 +69,18 @@ SHIFT = 1.5
 
 @check
 class MaskingCheck(Check):
-    """A number that is hidden can't be found elsewhere in the text, and a text less a sentence is another scene's."""
+    """Check that a hidden number appears nowhere else, and that every sentence is necessary."""
 
     name = "masking"
 
     def findings(self, specimens: Specimens) -> Iterator[Finding]:
-        """Hide each number, cut each sentence and each row of a table."""
+        """Hide each number, and remove each sentence and table row."""
         for found in specimens.some(SCENES):
             yield from self._numbers(found)
             yield from self._sentences(found)
 
     def _numbers(self, found: Specimen) -> Iterator[Finding]:
-        """With a number hidden, scenes that differ in it alone have the same text, which is read as lacking it."""
+        """Yield findings for hidden numbers that the text still reveals, or that its parse does not report."""
         for path, parameter in spoken(found.scene, found.seed).items():
             other = changed(found.scene, {path: (parameter.value or 1.0) * SHIFT})
             text = describe(found.scene, found.seed, hiding(path)).text
@@ -96,7 +96,7 @@ class MaskingCheck(Check):
                 yield found.finding(self.name, expected, f"the text is read back all the same: {text}", remedy)
 
     def _sentences(self, found: Specimen) -> Iterator[Finding]:
-        """Yield each sentence and each row matters, but for those on what matters to some questions only."""
+        """Yield findings for sentences and table rows whose removal does not change the meaning."""
         told = found.description
         spared = spare(told)
         for cut, text in without_one(list(pieces(told.text))):
@@ -110,7 +110,7 @@ class MaskingCheck(Check):
 
 
 def _lacks(text: str, path: str) -> bool:
-    """Return whether a text is refused, or read as one that leaves the number at an address open."""
+    """Return whether a text is refused, or parsed with the number at an address unknown."""
     try:
         return path.rpartition(".")[2] in {where.rpartition(".")[2] for where in parse_scene(text).unknown}
     except TextError:
@@ -118,7 +118,7 @@ def _lacks(text: str, path: str) -> bool:
 
 
 def _understood(text: str) -> object:
-    """Return what a text is read as; None if it is refused."""
+    """Return the parsed meaning of a text; None if it is refused."""
     try:
         return meant(parse_scene(text))
     except TextError:
@@ -126,16 +126,16 @@ def _understood(text: str) -> object:
 
 
 def spare(description: Description) -> set[str]:
-    """Return the sentences of a text that matter to some questions only: a text without them means the same.
+    """Return the sentences that matter only for some questions, so that they may be omitted.
 
-    Not so those on how it begins: without any question, a text tells that.
+    Sentences on the initial state are excluded: a text without a question needs them.
     """
     topics = [topic for topic in get_args(Topic) if topic != "start"]
     return set(description.sentences).difference(description.leaving_out(topics).sentences)
 
 
 def without_one(parts: list[str]) -> Iterator[tuple[str, str]]:
-    """Yield what is cut, a sentence or a row of a table, and the text without it."""
+    """Yield each removed sentence or table row, with the remaining text."""
     for index, part in enumerate(parts):
         yield part, together([*parts[:index], *parts[index + 1 :]]) or " "
         rows = part.split("\n")
@@ -145,5 +145,5 @@ def without_one(parts: list[str]) -> Iterator[tuple[str, str]]:
 
 
 def together(parts: list[str]) -> str:
-    """Pieces as one text again."""
+    """Return sentences and tables joined to one text."""
     return "".join(f"\n\n{part}\n\n" if part.startswith("|") else f" {part}" for part in parts).strip()

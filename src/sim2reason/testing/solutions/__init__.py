@@ -1,1 +1,1 @@
-"""Whether worked solutions are sound: by what they are made of, and by their text alone."""
+"""Verification of worked solutions, from their data and from their text alone."""

@@ -1,4 +1,4 @@
-"""Whether a worked solution is one: every relation holds, what is told determines the answer, and nothing is idle."""
+"""Verification of a worked solution: relations hold, laws determine the answer, and none is redundant."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -14,26 +14,26 @@ from sim2reason.solutions.collisions.long_chains import TIME
 from sim2reason.solutions.data import as_data
 from sim2reason.solutions.solution import CHECKS, WELL, Relation, Solution
 
-FAINT = 1e-8  # relative: what a combination of laws may leave of a row that it ought to give
-ROUNDING = 1e-13  # in SI units: what arithmetic leaves of numbers that cancel, as in a limiting case, where a = 0
-ASIDE, ROUNDS = 0.03, 6  # relative: how far what is free is followed; steps back onto the laws
-AWAY = 1e-3  # relative: how far givens are moved to see what is so by chance
-CARRIED = 5e-3  # relative: how far five digits may lead from the answer
+FAINT = 1e-8  # relative residual of a combination of laws for a row that follows from them
+ROUNDING = 1e-13  # SI units: rounding error of numbers that cancel
+ASIDE, ROUNDS = 0.03, 6  # relative displacement of free values; Newton steps back onto the laws
+AWAY = 1e-3  # relative displacement of given values to detect coincidences
+CARRIED = 5e-3  # relative error of the answer from numbers rounded to five digits
 SEEN = {"threshold": 1e-7, "optimum": 1e-6, "limit": 1e-7}
 """By kind: an engine holds by friction what pulls by 1e-10 of the loads more than it can; extremes are flat."""
-KNOWN = ("given",)  # roles of what no law needs to determine
+KNOWN = ("given",)  # roles of names that no law needs to determine
 WORDS = {"easy": 150, "medium": 300, "hard": 600}
 
 
 def words(text: str) -> int:
-    """Return how long a text is; a formula counts as a word."""
+    """Return the number of words in a text; a formula counts as one."""
     return len(re.sub(r"\$[^$]*\$", "x", text).split())
 
 
 def faults(solution: Solution, answer: float, within: float = WELL) -> list[str]:
-    """Return all that is wrong with a solution, in words; `answer` is the engine's, in the unit of the question.
+    """Return all faults of a solution, in words; `answer` is the engine's, in the unit of the question.
 
-    `within` is how well the engine knows it, relative, see `SEEN`, or what is given of it, where it is unknown.
+    `within` is the engine's relative accuracy, see `SEEN`, or that of the given result if a number is unknown.
     """
     if solution.answer is None:
         return [f"no answer: {solution.reason}"]
@@ -52,7 +52,7 @@ def faults(solution: Solution, answer: float, within: float = WELL) -> list[str]
 
 
 def holds(relation: Relation, values: Mapping[str, float]) -> bool:
-    """Return whether an equation holds, relative to its largest term, or whether a comparison is true."""
+    """Return whether an equation holds relative to its largest term, or a comparison is true."""
     left, right = relation.left.value(values), relation.right.value(values)
     if relation.role == "exceeds":
         return left.real > right.real
@@ -66,9 +66,9 @@ def _size(held: Expression, at: Mapping[str, float]) -> float:
 
 
 def undetermined(solution: Solution) -> list[str]:
-    """Whether the laws that are told determine the answer, each of them is needed, and all else follows from them.
+    """Return faults where the stated laws do not determine the answer, or one is redundant.
 
-    No phase may be integrated.
+    Solutions with an integrated phase are not allowed.
     """
     relations = [r for r in solution.relations if r.role not in (*KNOWN, *CHECKS)]
     known = {name for r in solution.relations if r.role in KNOWN for name in r.left.symbols()}
@@ -102,14 +102,14 @@ def undetermined(solution: Solution) -> list[str]:
 
 
 def _since_when(solution: Solution) -> list[str]:
-    """Return names that laws must determine though the value of the answer does not change with them at first.
+    """Return further names that laws must determine, although the answer does not depend on them to first order.
 
-    They are those by which something is verified, the times since when it is so, or since when something flies freely,
-    and those whose formula a limit or an extreme value is taken of.
+    They are the names of verifications, of times from which a condition or free flight holds, and of formulas of which
+    a limit or an extreme value is taken.
 
-    What tells them is not idle, even if the answer is the same whenever they are: as two boards that stick to each
-    other move by their common momentum, whatever the friction was between them, but only from when they stick; and
-    as free fall changes a velocity by as much before an impact as after it.
+    Laws for them are not redundant even if the answer is independent of their values: two boards that stick to each
+    other move with their common momentum, whatever the friction was, but only after they stick; and free fall changes a
+    velocity equally before and after an impact.
     """
     verified = [relation for relation in solution.relations if relation.role in CHECKS]
     checked = {r.left.latex() for r in verified if r.role == "verified"}
@@ -121,13 +121,13 @@ def _since_when(solution: Solution) -> list[str]:
 
 
 def _formulas(solution: Solution) -> list[Relation]:
-    """Return the relations whose right side a limit or a derivative is taken of."""
+    """Return the relations of which a limit or derivative is taken."""
     steps = (step for step in solution.steps if step.kind in ("limit", "derivative"))
     return [relation for step in steps for relation in step.relations if relation.role == "derived"]
 
 
 def _elsewhere(solution: Solution) -> dict[str, float]:
-    """Return the values at other givens: where equal masses only exchange their velocities, a law would seem idle."""
+    """Return the values for other given numbers, where no law is redundant by coincidence."""
     values = dict(solution.values)
     known: set[str] = set()
     for number, relation in enumerate(solution.relations):
@@ -145,10 +145,10 @@ def _elsewhere(solution: Solution) -> dict[str, float]:
 
 
 def _spared(laws: Sequence[Relation], values: dict[str, float], place: dict[str, int], goal: Array) -> bool:
-    """Return whether laws determine the goal also away from where one that they lack holds.
+    """Return whether the laws without one still determine the goal elsewhere on their solution set.
 
-    Where that one says when something is greatest, the goal does not change at first as it is given up: so follow what
-    the laws leave free for a short way, back onto them by Newton's method, and look again there.
+    If that law states when something is greatest, the goal is stationary without it: so the solution set is followed
+    for a short distance, with Newton's method back onto it, and the test is repeated there.
     """
     matrix = np.array([_row(law, values, place) for law in laws])
     if not len(matrix):
@@ -176,12 +176,12 @@ def _row(relation: Relation, values: dict[str, float], place: dict[str, int], *,
 
 
 def _sizes(values: Mapping[str, float], place: Mapping[str, int]) -> Array:
-    """Of the values of names, in SI units; 1 for what is zero but for rounding."""
+    """Return the magnitudes of the named values, SI units; 1 for values that are zero but for rounding."""
     return np.array([abs(values[name]) if abs(values[name]) > ROUNDING else 1.0 for name in place])
 
 
 def _spanned(rows: Sequence[Array], goal: Array) -> bool:
-    """Return whether a row is a combination of others."""
+    """Return whether a row is a linear combination of others."""
     size = float(np.abs(goal).max(initial=0.0))
     if not rows or not size:
         return not size
@@ -191,7 +191,7 @@ def _spanned(rows: Sequence[Array], goal: Array) -> bool:
 
 
 def by_digits(solution: Solution, digits: int = DIGITS) -> float:
-    """Return the answer, worked out by whoever carries so many digits from line to line; NaN where that ends early."""
+    """Return the answer computed with intermediate results rounded to `digits` digits; NaN if that fails."""
     values: dict[str, float] = {}
     for relation in solution.relations:
         if not isinstance(relation.left, Symbol) or relation.role == "exceeds":

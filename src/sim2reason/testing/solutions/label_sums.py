@@ -1,7 +1,7 @@
-"""Sums of labelled equations, as in *(1) + 2·(4)*: whether what is said to come out does, read from the text alone.
+"""Verification of sums of labelled equations, as in *(1) + 2·(4)*, from the text alone.
 
-Where all equations hold, any sum of them does. So unknowns are moved away from their values, in all ways in which the
-equations that are in no sum go on holding: strings that do not stretch, light pulleys, normal forces.
+If all equations hold, so does any sum of them. Therefore unknowns are displaced in all directions that preserve the
+equations in no sum: inextensible strings, light pulleys, normal forces.
 """
 
 import re
@@ -13,19 +13,19 @@ import numpy as np
 from sim2reason.scenes.dsl.state import Array
 
 TERM = r"(?:(?:\$[^$]*\$|[^\s$()·]+)·)?\(\w+\)"
-WITH = r"(?:, with [^:$]*)?"  # the equations that were put into the others
+WITH = r"(?:, with [^:$]*)?"  # names the equations that were substituted
 SUM = re.compile(rf"(?<!\S)(?P<sum>[-−]?{TERM}(?: [+−-] {TERM})+){WITH}: (?:\(\w+\) )?\$(?P<out>[^$]*=[^$]*)\$")
 PART = re.compile(r"(?P<sign>[+−-]?) ?(?:(?P<weight>\$[^$]*\$|[^\s$()·]+)·)?\((?P<label>\w+)\)")
 LABEL = re.compile(r"(?<!\S)\((?P<label>\w+)\) (?:[^$().]*: )?\$(?P<formula>[^$]*=[^$]*)\$")
-LIGHT = "is light"  # what balances without an acceleration
-STEP, LOOSE = 1e-6, 3e-4  # relative: of a derivative; what five digits leave of a coefficient
+LIGHT = "is light"  # marks a balance of forces without acceleration
+STEP, LOOSE = 1e-6, 3e-4  # relative: step of a derivative; error of a coefficient from five digits
 
 Excess = Callable[[Mapping[str, float]], float | None]
 
 
 @dataclass(frozen=True, slots=True)
 class LabelSum:
-    """A sum of equations, and what it is said to give, each as left less right."""
+    """A sum of equations and its stated result, each as left minus right side."""
 
     text: str
     out: Excess
@@ -34,7 +34,7 @@ class LabelSum:
     moved: tuple[str, ...]
 
     def holds(self, values: Mapping[str, float]) -> bool:
-        """Return whether both change alike, however what is unknown is moved."""
+        """Return whether sum and result change equally for all changes of the unknowns."""
         names = [name for name in self.moved if name in values]
         rows = [row for excess in self.held if (row := _gradient(excess, values, names)) is not None and row.any()]
         free = _free(rows, len(names))
@@ -55,7 +55,7 @@ class LabelSum:
 def label_sums(
     text: str, read: Callable[[str], Excess | None], givens: Sequence[str], names: Sequence[str]
 ) -> list[LabelSum]:
-    """Return all sums of a text; `read` makes a formula with an equals sign a function of its symbols."""
+    """Return all sums of equations in a text; `read` parses an equation as a function of its symbols."""
     labelled = {match["label"]: match["formula"] for match in LABEL.finditer(text)}
     sums = list(SUM.finditer(text))
     apart = [match["formula"] for match in LABEL.finditer(text) if LIGHT in match[0]]
@@ -77,7 +77,7 @@ def label_sums(
 
 
 def _number(formula: str) -> bool:
-    """Return whether a symbol is said to have a number: a result, not a law."""
+    """Return whether a formula assigns a number to a symbol: a result, not a law."""
     last = formula.rpartition("=")[2].strip()
     return re.fullmatch(r"-?[\d.]+(?: \\times 10\^\{-?\d+\})?(?:\\ \\text.*|\^\\circ)?", last) is not None
 
@@ -111,7 +111,7 @@ def _gradient(excess: Excess, values: Mapping[str, float], names: Sequence[str])
 
 
 def _free(rows: Sequence[Array], size: int) -> Array:
-    """Return the ways, as columns, in which nothing that is held changes."""
+    """Return the directions, as columns, in which the held values do not change."""
     if not rows:
         return np.eye(size)
     _, spread, ways = np.linalg.svd(np.array([row / np.abs(row).max() for row in rows]))

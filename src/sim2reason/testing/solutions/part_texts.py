@@ -1,4 +1,4 @@
-"""The text of a solution with several parts: whether a name means the same in all, read from the text alone."""
+"""Verification of multi-part solutions from the text alone: each name has one meaning."""
 
 import re
 
@@ -11,10 +11,10 @@ LABELLED = re.compile(r"(?<![^\s])(\(\d+\))(?: [A-Z][^$()]*)? \$([^$]+)\$")
 
 
 def part_faults(text: str) -> list[str]:
-    """Return what is wrong in the text of all parts, in words.
+    """Return the faults in the text of all parts, in words.
 
-    A name that a part recalls must stand in the part that it names, with the same number; an equality of the whole text
-    must hold when each name has the number that it has first; a label must stand for one equation.
+    A name that a part recalls must occur in the quoted part, with the same number; every equality of the whole text
+    must hold with the first number of each name; a label must denote one equation.
     """
     body = text.partition("\n\nAnswers: ")[0]
     pieces = PART.split(body)[1:]
@@ -31,6 +31,7 @@ def part_faults(text: str) -> list[str]:
 
 
 def _recalls(part: str, parts: dict[str, str]) -> list[str]:
+    """Return faults of names that a part quotes from another part."""
     found: list[str] = []
     for recall in RECALL.finditer(part):
         source = parts.get(recall["label"], "")
@@ -42,7 +43,7 @@ def _recalls(part: str, parts: dict[str, str]) -> list[str]:
 
 
 def _numbers(text: str) -> dict[str, str]:
-    """Return the names that a text equates with numbers, each with its last number as written."""
+    """Return the names equated with numbers in a text, each with its last number as written."""
     found: dict[str, str] = {}
     for match in FORMULA.finditer(text):
         name, _, number = match[1].partition("=")

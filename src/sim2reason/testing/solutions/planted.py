@@ -1,4 +1,4 @@
-"""Faults planted in the data of a worked solution, each of which the check must refuse.
+"""Faults planted in the data of a worked solution, each of which the verification must detect.
 
 How they are counted. A law is dropped with every other law that states the same, letter by letter; of a phase each
 equation is one. A phase is left out: of an integration everything at its end is as it was at its beginning; of several
@@ -27,15 +27,15 @@ from sim2reason.solutions.solution import WELL
 Data = dict[str, Any]
 Place = tuple[Any, Any]
 """A list or mapping, and the index or key in it."""
-JUMPS = frozenset(("rebound", "impulse", "after", "impact", "jerk", "event"))  # kinds of steps that say what events do
-INVENTED = "a given invented"  # which recomputation does not show: it only says what follows from what is given
+JUMPS = frozenset(("rebound", "impulse", "after", "impact", "jerk", "event"))  # kinds of steps about sudden changes
+INVENTED = "a given invented"  # undetectable by recomputation, which only derives consequences of given values
 WRONG, LARGER = 0.9, 1.07  # factors
 
 
 def planted_faults(
     data: Mapping[str, Any], values: Mapping[str, float], rng: random.Random, most: int
 ) -> Iterator[tuple[str, Data]]:
-    """Draw data with one fault each, at most `most` of a kind; `values` are those of all names in it."""
+    """Yield copies of the data with one random fault each, at most `most` of a kind."""
     for kind, spoil in KINDS.items():
         count = spoil(_copy(data), None, values)
         for number in rng.sample(range(count), min(most, count)):
@@ -49,7 +49,7 @@ def _copy(data: Mapping[str, Any]) -> Data:
 
 
 def _idle(data: Data) -> list[Data]:
-    """Return the relations on which nothing rests: comparisons, and those whose names nothing else uses."""
+    """Return the relations on which nothing depends: comparisons, and those with names used nowhere else."""
     every = [relation for step in data["steps"] for relation in step["relations"]]
     relations = [relation for relation in every if relation["role"] != COMPARED]
     names = {id(r): frozenset((*symbols(r["left"]), *symbols(r["right"]))) for r in relations}
@@ -63,7 +63,7 @@ def _idle(data: Data) -> list[Data]:
 
 
 def _last_named(relations: list[Data], names: Mapping[int, frozenset[str]], fixed: set[str], goal: str) -> list[Data]:
-    """Return the relations for a name with which no relation determines another name; the `fixed` ones are needed."""
+    """Return the relations for names that determine no other name; the `fixed` ones are needed."""
     known, new = fixed - {goal}, dict[int, frozenset[str]]()
     for relation in relations:
         new[id(relation)] = names[id(relation)] - known
@@ -77,7 +77,7 @@ def _last_named(relations: list[Data], names: Mapping[int, frozenset[str]], fixe
 
 
 def _laws(data: Data) -> list[tuple[list[Data], int]]:
-    """Return where laws stand: the list, and the index in it."""
+    """Return the positions of the laws: the list, and the index in it."""
     lists = [step["relations"] for step in data["steps"]]
     idle = {id(relation) for relation in _idle(data)}
     found = [(held, n) for held in lists for n, r in enumerate(held) if r["role"] == "law" and id(r) not in idle]
@@ -119,7 +119,7 @@ def _leave_out_phase(data: Data, number: int | None, values: Mapping[str, float]
 
 
 def _skip(step: Data) -> None:
-    """Let everything at the end of a phase be as it was at its beginning."""
+    """Set all values at the end of a phase to those at its beginning."""
     phase = step.pop("integration")
     step["integration"] = None
     start: dict[str, Tree] = {phase["time"]: phase["begin"]}
@@ -192,7 +192,7 @@ def _change(
     places: Callable[[Place], Iterator[Place]],
     changed: Callable[[Any], Any],
 ) -> int:
-    """Change one part of a tree; give back how many there are on which something depends."""
+    """Change one part of a tree; return the number of parts on which something depends."""
     found: list[Place] = []
     idle = {id(relation) for relation in _idle(data)}
     for relation, root in _roots(data):
@@ -216,7 +216,7 @@ def _change(
 
 
 def _holds(relation: Data, values: Mapping[str, float]) -> bool:
-    """Return whether a relation holds at the right values; one that can't be looked at alone does not."""
+    """Return whether a relation holds for the correct values; False if it cannot be evaluated alone."""
     try:
         return Equation.of(relation["left"], relation["right"]).holds(values)
     except (KeyError, ValueError, ArithmeticError):
@@ -232,7 +232,7 @@ def _value(tree: Tree, values: Mapping[str, float]) -> float | None:
 
 
 def _roots(data: Data) -> Iterator[tuple[Data | None, Place]]:
-    """Yield each tree, with the relation to which it belongs."""
+    """Yield each tree with its relation."""
     for step in data["steps"]:
         for relation in step["relations"]:
             for side in ("left", "right"):
@@ -254,7 +254,7 @@ def _trees(data: Data) -> Iterator[Place]:
 
 
 def _signs(place: Place) -> Iterator[Place]:
-    """Yield the terms of sums, and products behind a minus."""
+    """Yield the terms of sums, and products after a minus sign."""
     held, key = place
     tree: Tree = held[key]
     if not isinstance(tree, list):
@@ -268,7 +268,7 @@ def _signs(place: Place) -> Iterator[Place]:
 
 
 def _numbers(place: Place) -> Iterator[Place]:
-    """Yield all numbers but zeros and exponents."""
+    """Yield all numbers except zeros and exponents."""
     held, key = place
     tree: Tree = held[key]
     if isinstance(tree, float | int):

@@ -1,4 +1,4 @@
-"""A worked solution read by whoever has only its text: its equalities, by the parser that grades answers."""
+"""Reading of a worked solution from its text alone, with the parser that grades answers."""
 
 import re
 from collections.abc import Callable, Iterator, Mapping
@@ -16,15 +16,15 @@ from sim2reason.solutions.writing.unit_latex import DEGREES, unit_of
 from sim2reason.testing.solutions.label_sums import LabelSum, label_sums
 
 FORMULA = re.compile(r"\$((?:(?!\\boxed)[^$])*=(?:(?!\\boxed)[^$])*)\$")
-DEEP = 12  # braces within braces
+DEEP = 12  # nested braces
 BRACED = reduce(lambda inside, _: rf"(?:[^{{}}$]|\{{{inside}\}})*", range(DEEP), "[^{}$]*")
 ANSWER = re.compile(
     r"\$(?P<goal>[^$=]*?)(?: = (?P<number>[^$=]*?))? (?P<sign>\\approx|=) "
     rf"\\boxed\{{(?P<boxed>{BRACED})\}}(?P<unit>[^$]*)\$"
 )
 BOX = r"\boxed{"
-BOXED = 6e-3  # relative: what three digits leave
-CLOSE = 6e-5  # relative: what five digits leave of a number, at most
+BOXED = 6e-3  # relative rounding error of three digits
+CLOSE = 6e-5  # relative rounding error of five digits, at most
 STEP = 1e-6  # relative, of a derivative
 PROBLEM = re.compile(
     r"(?:Let (?=\$[^$]*\$ be )|Along with them"
@@ -37,7 +37,7 @@ SIGNS = ("plus", "minus", "dash")
 
 @dataclass(frozen=True, slots=True)
 class Equality:
-    """Two sides that the text says are equal, as written, and as functions of the symbols."""
+    """Two sides that the text equates, as text and as functions of the symbols."""
 
     text: str
     sides: tuple[Node, Node]
@@ -46,17 +46,17 @@ class Equality:
     close: float = CLOSE
 
     def excess(self, values: Mapping[str, float]) -> float | None:
-        """Left less right; None where a side has no value."""
+        """Return left minus right side; None where a side has no value."""
         left, right = (arithmetic.value(side, values) for side in self.sides)
         return None if left is None or right is None else left - right
 
     def sizes(self, values: Mapping[str, float]) -> float:
-        """Return the sum of the sizes of all terms."""
+        """Return the sum of the magnitudes of all terms."""
         found = (arithmetic.value(term, values) for term in self.terms)
         return sum(abs(size) for size in found if size is not None)
 
     def rounding(self, values: Mapping[str, float], excess: float) -> float:
-        """By what the excess would change if each term, and each number, changed by as much as itself."""
+        """Return the change of the excess if each term and number changed by its own magnitude."""
         sizes = [self.sizes(values)]
         for name in self.symbols:
             moved = self.excess({**values, name: values[name] * (1.0 + STEP)})
@@ -64,16 +64,16 @@ class Equality:
         return sum(sizes)
 
     def holds(self, values: Mapping[str, float]) -> bool:
-        """Return whether both sides agree as well as numbers of five digits can."""
+        """Return whether both sides agree within the rounding of five digits."""
         excess = self.excess(values)
         return excess is not None and abs(excess) <= self.close * self.rounding(values, excess)
 
 
 @dataclass(frozen=True, slots=True)
 class ReadText:
-    """What a text says: equalities, formulas that could not be read, and the values of its symbols.
+    """The parsed text: equalities, formulas that do not parse, and values of symbols.
 
-    `values` are the numbers that it says, and those that follow for what cancels, such as tensions.
+    `values` are the stated numbers, and those that follow for quantities that cancel, such as tensions.
     """
 
     equalities: tuple[Equality, ...]
@@ -83,15 +83,15 @@ class ReadText:
 
     @property
     def broken(self) -> list[str]:
-        """The equalities that do not hold, or speak of what the text does not determine."""
+        """Return the equalities that do not hold, or contain undetermined symbols."""
         wrong = [e.text for e in self.equalities if e.symbols - self.values.keys() or not e.holds(self.values)]
         return wrong + [held.text for held in self.sums if not held.holds(self.values)]
 
 
 def read(text: str, known: Mapping[str, float] | None = None) -> ReadText:
-    """Return all equalities of a text; a symbol has the number that it is first said to equal.
+    """Return all equalities of a text; a symbol has the first number it is equated with.
 
-    Where a problem is in symbols, `known` has their values.
+    For a symbolic problem, `known` contains the values of its symbols.
     """
     text = PROBLEM.sub("", text)
     equalities: list[Equality] = []
@@ -127,9 +127,9 @@ def read(text: str, known: Mapping[str, float] | None = None) -> ReadText:
 
 
 def _ending(match: re.Match[str], table: frozenset[str]) -> Iterator[Equality]:
-    """Yield what the line with the box says: that a symbol is a number of three digits, or a formula.
+    """Yield the equality in the line with the box: a symbol equals a three-digit number, or a formula.
 
-    In other units than the rest, the number is there in both.
+    In other units than the rest, the number is stated in both.
     """
     boxed = match["boxed"] + (match["unit"] if match["unit"] == DEGREES else "")
     sides = [_side(part, table) for part in (match["goal"], match["number"], boxed) if part is not None]
@@ -143,7 +143,7 @@ def _ending(match: re.Match[str], table: frozenset[str]) -> Iterator[Equality]:
 
 
 def _excess(formula: str, table: frozenset[str]) -> Callable[[Mapping[str, float]], float | None] | None:
-    """Left less right of an equation; None if it can not be read."""
+    """Return left minus right side of an equation as a function; None if it does not parse."""
     try:
         left, right, *_ = [_side(part, table) for part in formula.split("=")]
     except Refused:
@@ -153,9 +153,9 @@ def _excess(formula: str, table: frozenset[str]) -> Callable[[Mapping[str, float
 
 
 def _follow(equalities: list[Equality], values: dict[str, float]) -> None:
-    """Give values to what the text says no number of, where an equality has it alone and linearly.
+    """Determine symbols without numbers from equalities in which they are the only unknown, linearly.
 
-    Of several such equalities that one tells which magnifies the rounding of its terms and numbers least.
+    Among several such equalities, the one with the smallest magnification of rounding errors is used.
     """
     for _ in equalities:
         found = [each for equality in equalities if (each := _solved(equality, values)) is not None]
@@ -166,7 +166,7 @@ def _follow(equalities: list[Equality], values: dict[str, float]) -> None:
 
 
 def _solved(equality: Equality, values: Mapping[str, float]) -> tuple[float, str, float] | None:
-    """How much an equality magnifies, the only symbol without a value, and that; None unless it is linear in it."""
+    """Return the error magnification, the only unknown of a linear equality, and its value; else None."""
     missing = [*(equality.symbols - values.keys())]
     if len(missing) != 1:
         return None
@@ -183,7 +183,7 @@ def _solved(equality: Equality, values: Mapping[str, float]) -> tuple[float, str
 
 
 def _table(chains: list[str]) -> frozenset[str]:
-    """Return the symbols of the text: e is one of them where it is said to equal something."""
+    """Return the symbols of the text; e is one of them if it is equated with something."""
     found: set[str] = {"e"} if any(chain.strip().startswith("e =") for chain in chains) else set()
     for side in (side for chain in chains for side in chain.split("=")):
         try:
@@ -194,7 +194,7 @@ def _table(chains: list[str]) -> frozenset[str]:
 
 
 def _side(text: str, table: frozenset[str]) -> tuple[Node, tuple[Node, ...], frozenset[str]]:
-    """Return the value of one side, a unit behind it left out; its terms; its symbols."""
+    """Return the value of a side without its unit, its terms, and its symbols."""
     tokens = tokenize(text.strip(), table)
     upright = next((n for n, token in enumerate(tokens) if token.kind == "word" and token.upright), len(tokens))
     if upright < len(tokens) and tokens[upright - 1].kind == "open":
@@ -208,7 +208,7 @@ def _side(text: str, table: frozenset[str]) -> tuple[Node, tuple[Node, ...], fro
 
 
 def _terms(tokens: list[Token]) -> Iterator[list[Token]]:
-    """The tokens between plus and minus signs outside of all brackets and bars; bars within bars stand in brackets."""
+    """Yield the tokens between plus and minus signs outside brackets and bars."""
     depth, in_bars, part = 0, False, list[Token]()
     for token in tokens:
         depth += (token.kind == "open") - (token.kind == "close")
@@ -224,6 +224,6 @@ def _terms(tokens: list[Token]) -> Iterator[list[Token]]:
 
 
 def _name(chain: str, table: frozenset[str]) -> str:
-    """Return the symbol that is said to equal the rest; empty if it is a formula."""
+    """Return the symbol equated with the rest; empty for a formula."""
     tokens = tokenize(chain.partition("=")[0].strip(), table)
     return tokens[0].text if len(tokens) == 1 and tokens[0].kind == "symbol" else ""

@@ -1,10 +1,9 @@
-"""From a text back to its scene: the templates of bodies, entities and connections, read backwards.
+"""Parsing of texts into scenes: the templates of bodies, entities and connections are matched against sentences.
 
-Reading goes in two steps. `Matcher` and its friends go through the sentences in the order in which the
-`Writer` says them and propose every scene that could have been meant; they may propose too much. `proof`
-then tells each proposed scene again with the very choices that were read: it counts only if every
-sentence comes out letter by letter, none missing and none to spare. So whatever is read is a scene that
-has this text, and a text with a sentence cut is never read as the same scene.
+Parsing has two stages. `Matcher` and the other modules match templates against the sentences in the order in which the
+`Writer` renders them, and propose candidate scenes; some may be wrong. `proof` then renders each candidate with the
+matched wordings and accepts it only if this reproduces the text exactly. Hence every accepted scene has this text, and
+a text without one sentence is never parsed as the same scene.
 """
 
 from sim2reason.text.parsing.matcher import NONE_GIVEN

@@ -1,4 +1,4 @@
-"""From what was read to a scene: told numbers where they belong, hidden ones drawn afresh."""
+"""Construction of a scene from the facts that were parsed; hidden numbers are drawn at random."""
 
 from collections.abc import Iterable
 from typing import Any
@@ -15,11 +15,11 @@ from sim2reason.scenes.dsl.scene import Scene, World
 from sim2reason.scenes.files.mistakes import explained
 from sim2reason.text.parsing.parse_state import ParsedConnection, ParseState, thing_at
 
-MOST = 2  # numbers that a text leaves unknown: one that it asks for, and one whose limit it gives
+MOST = 2  # unknown numbers in a text: the one it asks for, and one whose limiting value it gives
 
 
 def assembled(state: ParseState, rng: np.random.Generator, share: float = 0.5) -> Scene:
-    """Return the scene of a reading; a number for which a symbol stands lies at a `share` of the way through its range.
+    """Build the parsed scene; each number given only as a symbol gets the value at fraction `share` of its range.
 
     Raises:
         TextError: something is not told.
@@ -33,12 +33,12 @@ def assembled(state: ParseState, rng: np.random.Generator, share: float = 0.5) -
 
 
 def untold(symbols: Iterable[str]) -> TextError:
-    """Return that a text leaves more numbers unknown than its question asks for."""
+    """Build the error for a text that leaves more numbers unknown than its question asks for."""
     return TextError("text", f"it does not tell {' and '.join(symbols)}", "leave one number unknown")
 
 
 def _guessed(state: ParseState, share: float) -> ParseState:
-    """A state with numbers in place of symbols; TextError for symbols of several numbers, or of what has no range."""
+    """Return the state with numbers in place of symbols; TextError if a symbol has several values or no range."""
     unknowns = state.unknowns
     if len(unknowns) > MOST:
         raise untold(unknowns.values())
@@ -106,7 +106,7 @@ def _several(state: ParseState, address: str, held: FieldType, rng: np.random.Ge
 
 
 def _is_silent(state: ParseState, address: str) -> bool:
-    """Return whether nothing was told of an optional body or part."""
+    """Return whether the text states nothing about an optional body or part."""
     kind = state.kinds.get(address)
     if kind is None:
         return not any(path.startswith(f"{address}.") for path in state.values)

@@ -1,14 +1,14 @@
-"""When two readings are one: the same motions of the same named bodies, whatever entities they are made of.
+"""Equivalence of parsed scenes: same named bodies with the same motions, whatever entities they are made of.
 
-Motions follow from masses, from the forces that are given, and from how bodies, lines and faces depend on the
-coordinates. Coordinates themselves are a matter of taste, so they are eliminated: with rows r, each the gradient of
-something that has a meaning (a body's place, a string's length, the rise of a body from its face), and the kinetic
-energy K of unit masses added to all bodies, the products r·K⁻¹·s do not depend on the choice of coordinates, nor on
-hidden lengths, nor on where in the room a part of the scene stands. They are compared together with the labels of the
-rows, up to the order of those that have no name in the text.
+Motions follow from the masses, the applied forces, and the dependence of bodies, lines and faces on the coordinates.
+The choice of coordinates is arbitrary, so it is eliminated: with rows r, each the gradient of a meaningful quantity (a
+body's position, a string's length, the distance of a body from its face), and the kinetic energy K, with a unit mass
+added to every body, the products r·K⁻¹·s depend neither on the coordinates, nor on hidden lengths, nor on the position
+of a part of the scene. They are compared together with the labels of the rows, up to the order of those without a name
+in the text.
 
-Where gradients change, they are compared at several places on the way, together with what changes beside them: how
-paths bend, how springs pull and fields push.
+Where gradients change, they are compared at several positions, together with the curvature of paths and the forces of
+springs and fields.
 """
 
 import math
@@ -28,13 +28,13 @@ from sim2reason.scenes.dsl.vectors import Tensor, applied, minus, product
 
 Label = tuple[object, ...]
 Signature = tuple[object, ...]
-FLAT = 1e-9  # √kg; less motion of all bodies per rate of a coordinate is none
-ROUNDS = 3  # of refining labels by their neighbours
-STAGES = (0.0, 0.37, -0.23)  # at which changing mechanisms are compared: m, rad or s from the start
+FLAT = 1e-9  # √kg; a mass-weighted gradient shorter than this counts as zero
+ROUNDS = 3  # of refining the labels of rows by those of their neighbours
+STAGES = (0.0, 0.37, -0.23)  # displacements from the start at which mechanisms are compared: m, rad or s
 
 
 def signature(scene: Scene, names: Mapping[str, str]) -> Signature:
-    """Return what two scenes have in common if they mean the same; `names` is what bodies are called, by address."""
+    """Return a value that is equal for two equivalent scenes; `names` maps addresses to the bodies' names."""
     mechanism = scene.mechanism
     bending = bool(changing(mechanism))
     stages = STAGES if bending else STAGES[:1]
@@ -43,7 +43,7 @@ def signature(scene: Scene, names: Mapping[str, str]) -> Signature:
 
 
 def _compared(rows: "_Rows") -> tuple[object, ...]:
-    """Return all rows at one stage, and what has no row."""
+    """Return the labels of all rows at one configuration, and the labels of features without a row."""
     mechanism = rows.mechanism
     for body in mechanism.bodies:
         rows.body(body)
@@ -58,7 +58,7 @@ def _compared(rows: "_Rows") -> tuple[object, ...]:
 
 
 class _Rows:
-    """Rows with labels over all coordinates and all rises."""
+    """Labelled gradients over all coordinates and rises (distances of bodies from their surfaces)."""
 
     def __init__(self, mechanism: Mechanism, names: Mapping[str, str], stage: float, *, bending: bool) -> None:
         self.mechanism, self._names, self._stage = mechanism, names, stage
@@ -73,10 +73,10 @@ class _Rows:
         return Frames(self.mechanism, [self._stage] * self._n, speeds, math)
 
     def _curvature(self) -> dict[str, Array]:
-        """Return how far the path of each body is from straight, by its name: 1/m times the root of a mass.
+        """Return the curvature of each body's path, by name: 1/m times the square root of a mass.
 
-        It is the mean curvature of the surface on which all bodies can be, in the metric of their masses: the part of
-        the accelerations at q̈ = 0 that no q̈ makes up for, summed over rates that are orthonormal there.
+        This is the mean curvature of the configuration surface in the metric of the masses: the component of the
+        accelerations at q̈ = 0 orthogonal to the surface, summed over an orthonormal basis of rates.
         """
         bodies = self.mechanism.bodies
         roots = np.repeat([math.sqrt(body.mass + 1.0) for body in bodies], 3)
@@ -101,7 +101,7 @@ class _Rows:
         self._rows.append(row)
 
     def _spread(self, point: Point) -> Array:
-        """Return the gradient of a point's three coordinates, (3, width)."""
+        """Return the gradient of a point's three coordinates, (3, number of coordinates and rises)."""
         found = np.zeros((3, self._width))
         for number, axis in point.gradient.items():
             found[:, number] += axis
@@ -110,9 +110,9 @@ class _Rows:
         return found
 
     def body(self, body: RigidBody) -> None:
-        """Its place, its start and how its path bends; it has three rows, and more if it turns.
+        """Add the rows of a body: position, initial state and curvature; three rows, or more if it rotates.
 
-        Its principal moments count, though no place may show them: how fast a ball spins that rolls.
+        The principal moments of inertia are part of the label, since they affect rolling bodies at rest.
         """
         point, called = self._frames.center(body.name), self._called(body.name)
         spread = self._spread(point)
@@ -134,7 +134,7 @@ class _Rows:
                 self._add(label, np.array(thrust) @ spread)
 
     def _turns(self, body: RigidBody) -> list[Array]:
-        """How its angular velocity depends on the rates, times the root of its inertia; only what is not zero."""
+        """Return the gradients of a body's angular velocity, times the root of its inertia; zero rows are omitted."""
         frame = self._frames[body.name]
         if frame.spin is None or not any(body.inertia):
             return []
@@ -144,7 +144,7 @@ class _Rows:
         return [row for row in _root(body.inertia) @ own if np.abs(row).max() > 0.0]
 
     def hit(self, hit: Meeting) -> Label:
-        """Two bodies that may bounce: what they are called, how they bounce, and how far apart they are."""
+        """Return the label of a possible collision: the bodies' names, the restitution and the initial gap."""
         one, other = sorted((hit.a or "", hit.b), key=self._called)
         places = [self._frames.center(name).place if name else ZERO for name in (one, other)]
         apart = minus(places[1], places[0])
@@ -155,7 +155,7 @@ class _Rows:
         return "hit", self._called(one), self._called(other), repr(numbers)
 
     def push(self, force: Force) -> Label:
-        """Return a force that is given: what it is here, now and at other velocities, and how far its borders are."""
+        """Return the label of an applied force: its value at the start and at other velocities, and its borders."""
         point = self._frames.center(force.body)
         velocities = (point.velocity, X, Y, Z)
         found = [force.law.force(point.place, velocity, self._stage, math) for velocity in velocities]
@@ -163,7 +163,7 @@ class _Rows:
         return "force", self._called(force.body), *map(_rounded, (*chain.from_iterable(found), *borders))
 
     def pairs(self) -> list[Label]:
-        """Return the bodies that attract each other, and how far apart they are."""
+        """Return the labels of the pairs of bodies that attract each other, with their distances."""
         found: list[Label] = []
         for pair in self.mechanism.attractions:
             distance = dist(self._frames.center(pair.a).place, self._frames.center(pair.b).place)
@@ -172,9 +172,9 @@ class _Rows:
         return found
 
     def line(self, line: Line) -> None:
-        """The length of a string, a rod or a spring, or of what is drawn in with a force.
+        """Add the row of the length of a string, rod, spring or actuator.
 
-        Of a spring the extension counts, not how long it is by itself: that may be one of the hidden lengths.
+        For a spring the extension counts, not its natural length, which may be hidden.
         """
         row, wound = np.zeros(self._width), 0.0
         for wheel in line.wheels:
@@ -193,20 +193,20 @@ class _Rows:
         self._add(("line", self._called(line.name), law, _rounded(stretch)), row)
 
     def foot(self, foot: Foot) -> None:
-        """An edge that may stand on a plane: the two ways that it can't go then."""
+        """Add the rows of an edge that may touch a plane: the two directions in which contact blocks it."""
         point = self._frames.site(foot.site)
         gap = product(foot.normal, point.place) - foot.height
         for way in (foot.normal, foot.along):
             self._add(("foot", _rounded(gap)), np.array(way) @ self._spread(point))
 
     def rise(self, label: Label, number: int) -> None:
-        """The rise of a body from its face."""
+        """Add the row of a body's distance from its surface."""
         row = np.zeros(self._width)
         row[self._n + number] = 1.0
         self._add(label, row)
 
     def refined(self) -> tuple[object, ...]:
-        """Return the labels, each refined by its products with all others; in an order of their own."""
+        """Return the sorted labels of the rows, each refined by its scalar products with all other rows."""
         if not self._rows:
             return ()
         rows = np.array(self._rows)
@@ -221,7 +221,7 @@ class _Rows:
         return tuple(sorted(map(repr, labels)))
 
     def _kinetic(self) -> Array:
-        """Return the mass matrix, a unit mass being added to every body."""
+        """Return the mass matrix, with a unit mass added to every body."""
         total = np.zeros((self._width, self._width))
         for body in self.mechanism.bodies:
             spread = self._spread(self._frames.center(body.name))
@@ -232,7 +232,7 @@ class _Rows:
 
 
 def _root(inertia: Tensor) -> Array:
-    """Return the symmetric root of a tensor of inertia, (3, 3)."""
+    """Return the symmetric square root of an inertia tensor, (3, 3)."""
     values, axes = np.linalg.eigh(_matrix(inertia))
     return axes * np.sqrt(np.maximum(values, 0.0)) @ axes.T
 
@@ -250,5 +250,5 @@ def _rounded(value: float) -> float:
 
 
 def _ends(body: RigidBody) -> list[float]:
-    """Return where its travel ends, as at the ground, counted from the start."""
+    """Return the displacements from the start at which a body's travel ends, such as at the ground."""
     return sorted(_rounded(end) for c in body.coordinates for end in (c.lower, c.upper) if math.isfinite(end))

@@ -1,4 +1,4 @@
-"""The lines of entities and parts, read in the order in which the Writer says them."""
+"""Parsing of the sentences of entities and parts, in the order in which the Writer renders them."""
 
 from collections.abc import Callable, Iterator
 from functools import cache, partial
@@ -19,7 +19,7 @@ Step = Callable[[int, ParseState], Iterator[tuple[int, ParseState]]]
 
 
 class _Said(NamedTuple):
-    """What the lines of a part, and of those inside it, may begin with."""
+    """The sentence beginnings of a part and of the parts inside it."""
 
     templates: frozenset[str]
     tables: bool
@@ -27,7 +27,7 @@ class _Said(NamedTuple):
 
 
 def may_begin(matcher: Matcher, kind: type[Part], place: int) -> bool:
-    """Whether the fixed words of some line of an entity stand in a sentence: of most kinds no line can begin there."""
+    """Return whether sentence number `place` contains the fixed words of some sentence of an entity."""
     templates, tables, strings = _said(kind)
     if strings or any(matcher.may_be(place, template) for template in templates):
         return True
@@ -48,14 +48,14 @@ def _said(kind: type[Part]) -> _Said:
 
 
 def entity_lines(matcher: Matcher, address: str, place: int, state: ParseState) -> Iterator[tuple[int, ParseState]]:
-    """Yield all lines of an entity whose class is known: its parts', its own, its inner strings'."""
+    """Yield the parses of all sentences of an entity: of its parts, its own, of its inner strings."""
     inner = [partial(_inside, matcher, address, name) for name in inside(state.kind(address, Part))]
     steps: list[Step] = [partial(part_lines, matcher, address), *inner]
     yield from _in_turn(steps, place, state)
 
 
 def part_lines(matcher: Matcher, address: str, place: int, state: ParseState) -> Iterator[tuple[int, ParseState]]:
-    """Yield the lines of the parts inside a part, then its own."""
+    """Yield the parses of the sentences of a part: of the parts inside it first, then its own."""
     kind = state.kind(address, Part)
     placed = {saying.field for saying in kind.says if isinstance(saying, PartLines)}
     first = [PartLines(name) for name in field_types(kind) if name not in placed]
@@ -74,7 +74,7 @@ def _in_turn(steps: list[Step], place: int, state: ParseState) -> Iterator[tuple
 def _parts(
     matcher: Matcher, field: str, address: str, place: int, state: ParseState
 ) -> Iterator[tuple[int, ParseState]]:
-    """Yield the lines of the parts at a field; those of a row that have none are told by their entity."""
+    """Yield the parses of the parts in a field; parts without sentences are described by their entity."""
     held, where = field_types(state.kind(address, Part))[field], f"{address}.{field}"
     parts = [model for model in held.models if issubclass(model, Part)]
     if parts and held.count is None:
@@ -88,7 +88,7 @@ def _parts(
 def _inner(
     matcher: Matcher, address: str, held: FieldType, place: int, state: ParseState
 ) -> Iterator[tuple[int, ParseState]]:
-    """Yield a part of any of its classes; an optional one may be absent."""
+    """Yield the parses of a single part, for each of its possible classes; an optional part may be absent."""
     for kind in held.models:
         yield from part_lines(matcher, address, place, state.with_kind(address, kind))
     absent = state.with_value(address, None) if held.optional else None
@@ -99,7 +99,7 @@ def _inner(
 def _several(
     matcher: Matcher, address: str, held: FieldType, place: int, state: ParseState, index: int = 0
 ) -> Iterator[tuple[int, ParseState]]:
-    """Parts in a row, each with its own lines and of any of its classes."""
+    """Yield the parses of a variable number of parts, each with its own sentences and of any of its classes."""
     done = state.with_count(address, index, index)
     if done is not None:
         yield place, done
@@ -113,7 +113,7 @@ def _several(
 def _inside(
     matcher: Matcher, address: str, name: str, place: int, state: ParseState
 ) -> Iterator[tuple[int, ParseState]]:
-    """Yield the sentence of a connection inside an entity."""
+    """Yield the parses of the sentence of a connection inside an entity."""
     inner = inside(state.kind(address, Part))[name]
     routes = InnerRoute(address, inner)
     for told in inner.kind.parse(f"{address}.{name}", place, state, matcher, routes):
@@ -153,7 +153,7 @@ def _without(saying: Saying, line: tuple[str, ...], address: str, state: ParseSt
 
 
 def _at_least(template: str, address: str, state: ParseState) -> ParseState:
-    """With the least that is drawn of the numbers that a line which is left out would tell."""
+    """Return the state with the minimum of each drawn range for the numbers of an omitted sentence."""
     kind = state.kind(address, Part)
     for path in (slot.path for slot in slots(template) if slot.kind == "path"):
         whole = f"{address}.{kind.words[path].parameter if path in kind.words else path}"
@@ -168,7 +168,7 @@ def _at_least(template: str, address: str, state: ParseState) -> ParseState:
 def _each(
     matcher: Matcher, saying: Each, address: str, place: int, state: ParseState
 ) -> Iterator[tuple[int, ParseState]]:
-    """Yield a sentence for each member; like bodies from three on are a table; nothing where there is none."""
+    """Yield the parses of one sentence per member, or of a table of three or more similar bodies."""
     field = f"{address}.{saying.field}"
     none = state.with_count(field, 0, 0)
     if none is not None:
@@ -185,7 +185,7 @@ def _each(
 def _members(
     matcher: Matcher, template: str, field: str, place: int, state: ParseState, index: int
 ) -> Iterator[tuple[int, ParseState]]:
-    """Yield the sentences of the members from `index` on, all in one wording."""
+    """Yield the parses of the sentences of the members from `index` on, all in one wording."""
     address = field.rpartition(".")[0]
     if index == MANY:
         return
@@ -197,7 +197,7 @@ def _members(
 
 
 def _unsaid(template: str, address: str, state: ParseState) -> Iterator[ParseState]:
-    """Yield what may be so if a line stays unsaid: something absent that it needs, or a number that a word tells."""
+    """Yield the states in which a sentence may be omitted: a part it needs is absent, or a word states its number."""
     kind = state.kind(address, Part)
     for path in dict.fromkeys(slot.path for slot in slots(template) if slot.kind == "path" and "*" not in slot.path):
         path = kind.words[path].parameter if path in kind.words else path  # noqa: PLW2901 - what the word depends on
@@ -213,7 +213,7 @@ def _unsaid(template: str, address: str, state: ParseState) -> Iterator[ParseSta
 
 
 def _by_word(state: ParseState, address: str) -> bool:
-    """Return whether the introduction of a body has told a number by a word, or still may."""
+    """Return whether the introduction of a body has stated a number by a word, or still may."""
     owner, _, name = address.rpartition(".")
     for model in thing_at(state, owner).models:
         if issubclass(model, Body):

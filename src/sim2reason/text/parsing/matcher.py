@@ -1,4 +1,4 @@
-"""Templates read backwards: where in a sentence they can end, and what they tell until there."""
+"""Matching of templates against sentences: possible end positions, with the facts that each match states."""
 
 from collections.abc import Iterator, Mapping
 from functools import cache
@@ -32,15 +32,15 @@ Found = tuple[int, ParseState]
 
 @cache
 def _fixed(template: str) -> tuple[str, ...]:
-    """Return its words between slots, without their first letters: a sentence begins with a capital."""
+    """Return the fixed words of a template between its slots, without their first letters (capitals may differ)."""
     return tuple(slot.text[1:] for slot in slots(template) if slot.kind == "text")
 
 
 class Matcher:
-    """Follows templates through the pieces of one text; counts its steps, so that no text takes for ever."""
+    """A matcher of templates against the sentences of one text, with a limit on the number of steps."""
 
     def __init__(self, pieces: tuple[str, ...], given: Mapping[str, str] = NONE_GIVEN) -> None:
-        """`reach` is the number of pieces that some reading got through; `given` tells symbols by their LaTeX."""
+        """Store the sentences and tables, and `given`, the values of symbols by their LaTeX."""
         self.pieces = pieces
         self.given = given
         self.reach = 0
@@ -48,7 +48,7 @@ class Matcher:
         self._fitting: dict[tuple[int, str], bool] = {}
 
     def sentence(self, place: int, template: str, owner: str, state: ParseState) -> Iterator[ParseState]:
-        """Yield what a whole sentence tells, read as a template of the part at `owner`."""
+        """Yield the states after matching a whole sentence with a template of the part at `owner`."""
         if self.may_be(place, template):
             text = self.pieces[place]
             for end, then in self.template(text, 0, template, owner, state):
@@ -57,14 +57,14 @@ class Matcher:
                     yield then
 
     def may_be(self, place: int, template: str) -> bool:
-        """Return whether all fixed words of a template stand somewhere in a sentence: quickly, since most do not."""
+        """Return whether all fixed words of a template occur in a sentence; a cheap test before matching."""
         if (place, template) not in self._fitting:
             fits = place < len(self.pieces) and all(words in self.pieces[place] for words in _fixed(template))
             self._fitting[place, template] = fits
         return self._fitting[place, template]
 
     def literal(self, text: str, at: int, wanted: str) -> int | None:
-        """Return where `wanted` ends if it stands at `at`; a sentence begins with a capital."""
+        """Return the end of `wanted` if it occurs at index `at`, else None; capitals may differ at the start."""
         self._steps += 1
         if self._steps > MAX_STEPS:
             raise TextError("text", "it can be read in too many ways", "give the text of one scene")
@@ -75,7 +75,7 @@ class Matcher:
     def template(
         self, text: str, at: int, template: str, owner: str, state: ParseState, *, start: bool = True
     ) -> Iterator[Found]:
-        """All ways in which a template of the part at `owner` can stand at `at`; no `start`: inside another one."""
+        """Yield the matches of a template at index `at`; `start` means that it begins a sentence."""
         yield from self._slots(text, at, slots(template), owner, state, at if start else -1)
 
     def _slots(
@@ -127,7 +127,7 @@ class Matcher:
             yield from self._just(text, at, BODIES, state)
 
     def _forms(self, text: str, at: int, slot: Slot, owner: str, state: ParseState, *, start: bool) -> Iterator[Found]:
-        """Agreement: one, two or more; none or some."""
+        """Yield the matches of a slot of grammatical number: one, two or more; none or some."""
         address, least = joined(owner, slot.path), 1 if slot.kind == "agree" else 0
         several = ((slot.two, 2, 2), (slot.many, 3, MANY)) if slot.two != slot.many else ((slot.many, least + 1, MANY),)
         for form, low, high in ((slot.one, least, least), *several):
@@ -144,7 +144,7 @@ class Matcher:
                 yield from self._just(text, at, state.mention(address, full=start), then)
 
     def at(self, text: str, at: int, address: str, state: ParseState, *, start: bool = False) -> Iterator[Found]:
-        """Yield all ways in which what stands at an address can be told: a number, a word, a body or a list of them."""
+        """Yield the matches of the value at an address: a number, a word, a body or a list of bodies."""
         thing = thing_at(state, address)
         if thing.measure is not None:
             yield from self.number(text, at, address, thing.measure, state)
@@ -161,7 +161,7 @@ class Matcher:
             yield from self._mention(text, at, address, thing, state, start=start)
 
     def number(self, text: str, at: int, address: str, measure: Measure, state: ParseState) -> Iterator[Found]:
-        """Yield a number with its unit, or a symbol for one; hearing another at the same address is a contradiction."""
+        """Yield the matches of a number with its unit, or of a symbol; a contradicting value gives no match."""
         symbol = SYMBOL.match(text, at) if text.startswith("$", at) else None
         if symbol and symbol[1] not in self.given:
             unknown = state.with_value(address, symbol.group())
@@ -183,7 +183,7 @@ class Matcher:
     def _word(
         self, text: str, at: int, word: Word, owner: str, state: ParseState, *, start: bool = False
     ) -> Iterator[Found]:
-        """Yield a special word tells its number; the other one only leaves it open."""
+        """Yield the matches of a word; a special word fixes its number, the default word leaves it open."""
         address = joined(owner, word.parameter)
         known, choices = state.values.get(address), thing_at(state, address).choices
         if (known is None or known not in word.special) and not (choices and all(c in word.special for c in choices)):
@@ -212,7 +212,7 @@ class Matcher:
                     yield from self._introduction(text, at, address, kind, state)
 
     def _introduction(self, text: str, at: int, address: str, kind: type[Body], state: ParseState) -> Iterator[Found]:
-        """Yield the first mention of a body: with the next letter of its series, or as the only one."""
+        """Yield the matches of a body's first mention, with the next letter of its series or without a letter."""
         letters = state.next_letters(kind)
         for noun in _nouns(kind, state):
             again = state.knows_noun(noun)
@@ -245,7 +245,7 @@ class Matcher:
     def _list(
         self, text: str, at: int, address: str, thing: Thing, state: ParseState, *, start: bool
     ) -> Iterator[Found]:
-        """Yield one member as it is, several with the plural noun; known ones by their letters alone."""
+        """Yield the matches of a list of bodies: one alone, several with the plural noun, known ones by letters."""
         low, high = state.size_range(address)
         one = state.with_count(address, 1, 1)
         if one is not None:
@@ -263,7 +263,7 @@ class Matcher:
                         yield from self._alike(text, at, address, kind, state.with_noun(kind, noun))
 
     def _alike(self, text: str, at: int, address: str, kind: type[Body], state: ParseState) -> Iterator[Found]:
-        """Yield the members of a new list whose numbers agree: A and B (… each)."""
+        """Yield the matches of a new list of bodies with equal numbers: A and B (… each)."""
         low, high = state.size_range(address)
         for count in range(max(low, 2), high + 1):
             members, letters = [f"{address}.{index}" for index in range(count)], state.next_letters(kind, count)
@@ -285,7 +285,7 @@ class Matcher:
     def _items(
         self, text: str, at: int, address: str, kind: type[Body], state: ParseState, index: int, *, last: bool = False
     ) -> Iterator[Found]:
-        """Yield the members of a new list from `index` on: A (…), B (…) and C (…)."""
+        """Yield the matches of the members of a new list from `index` on: A (…), B (…) and C (…)."""
         letters = state.next_letters(kind)
         if letters is None or index >= MANY:
             return

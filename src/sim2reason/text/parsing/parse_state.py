@@ -1,4 +1,4 @@
-"""The state of a reading: numbers, symbols and declarations that the text has stated so far."""
+"""State of a parse: the numbers, symbols and declarations that the text has stated so far."""
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -16,12 +16,12 @@ from sim2reason.scenes.dsl.template import Topic, Word
 from sim2reason.scenes.dsl.units import coherent
 from sim2reason.text.prose.phrases import Names, called, letter_at
 
-MANY = 8  # members of a variable-length part that a text can count
+MANY = 8  # largest number of members of a variable-length part
 
 
 @dataclass(frozen=True, slots=True)
 class ParsedConnection:
-    """A connection that was told, and the ports that it joins."""
+    """A parsed connection and the ports that it joins."""
 
     name: str
     kind: type[Connection]
@@ -32,7 +32,7 @@ NONE: Mapping[Any, Any] = MappingProxyType({})
 
 
 class ParseState(NamedTuple):
-    """Facts by address, as the scene will have them; `script` lists the wordings that were met, in order."""
+    """Parsed facts by their addresses in the scene; `script` lists the indices of the wordings in order."""
 
     kinds: Mapping[str, type[Model]]
     values: Mapping[str, Told] = NONE  # None: absent
@@ -48,25 +48,25 @@ class ParseState(NamedTuple):
 
     @property
     def unknowns(self) -> dict[str, str]:
-        """The symbols that stand in place of numbers, with their dollars, by address."""
+        """Return the symbols (with dollars) that stand for unknown numbers, by address."""
         return {path: told for path, told in self.values.items() if isinstance(told, str) and told.startswith("$")}
 
     def with_choice(self, number: int) -> "ParseState":
-        """With one more wording."""
+        """Return the state with one more wording in the script."""
         return self._replace(script=(*self.script, number))
 
     def with_kind(self, address: str, kind: type[Model]) -> "ParseState":
-        """With the class of what stands at an address."""
+        """Return the state with the class of the object at an address."""
         return self._replace(kinds={**self.kinds, address: kind})
 
     def with_value(self, address: str, value: Told) -> "ParseState | None":
-        """With a number, or None if another one was told before."""
+        """Return the state with a number at an address; None if it contradicts an earlier value."""
         if address in self.values:
             return self if self.values[address] == value else None
         return self._replace(values={**self.values, address: value})
 
     def shared(self, members: Sequence[str], names: Iterable[str]) -> "ParseState | None":
-        """With the first member's numbers, as far as they are known, as those of all."""
+        """Return the state in which all members have the known numbers of the first one."""
         found: ParseState | None = self
         for name in sorted(names):
             value = self.values.get(f"{members[0]}.{name}")
@@ -75,7 +75,7 @@ class ParseState(NamedTuple):
         return found
 
     def with_count(self, address: str, low: int, high: int = MANY) -> "ParseState | None":
-        """With a narrower count, or None if it does not agree with what was told before."""
+        """Return the state with a narrower range of a part's length; None on a contradiction."""
         least, most = self.size_range(address)
         low, high = max(least, low), min(most, high)
         if low > high:
@@ -83,19 +83,19 @@ class ParseState(NamedTuple):
         return self if (low, high) == (least, most) else self._replace(counts={**self.counts, address: (low, high)})
 
     def size_range(self, address: str) -> tuple[int, int]:
-        """Return the least and greatest number of members that a part can have."""
+        """Return the minimum and maximum number of members of a part."""
         return self.counts.get(address, (0, MANY))
 
     def with_noun(self, kind: type[Body], noun: str) -> "ParseState":
-        """With the noun of a class of bodies."""
+        """Return the state with the noun of a class of bodies."""
         return self if kind in self.nouns else self._replace(nouns={**self.nouns, kind: noun})
 
     def introduced(self, address: str, kind: type[Body], letter: str) -> "ParseState":
-        """With a body that was mentioned for the first time."""
+        """Return the state after the first mention of a body."""
         return self._replace(kinds={**self.kinds, address: kind}, letters={**self.letters, address: letter})
 
     def kind(self, address: str, base: type[M]) -> type[M]:
-        """Return the class of what stands at an address; TypeError if it is no `base`."""
+        """Return the class of the object at an address; TypeError if it is not a subclass of `base`."""
         found = self.kinds[address]
         if not issubclass(found, base):
             raise TypeError(f"{address} is a {found.__name__}")
@@ -112,27 +112,27 @@ class ParseState(NamedTuple):
         return [letter for address, letter in self.letters.items() if self.body(address).letters == kind.letters]
 
     def next_letters(self, kind: type[Body], count: int = 1) -> list[str] | None:
-        """Return the letters that the next bodies of a series must have; None if its first one has none."""
+        """Return the next letters of a series of bodies; None if its first body has no letter."""
         given = self.series(kind)
         if not kind.letters or "" in given:
             return None
         return [letter_at(kind.letters, len(given) + index) for index in range(count)]
 
     def knows_noun(self, noun: str) -> bool:
-        """Return whether a body of that noun was introduced."""
+        """Return whether a body with that noun was introduced."""
         return any(self.nouns[self.body(address)] == noun for address in self.letters)
 
     def mention(self, address: str, *, full: bool) -> str:
-        """Return how an introduced body is spoken of."""
+        """Return the name of an introduced body in running text, with its noun if `full`."""
         return called(self.nouns[self.body(address)], self.letters[address], full=full)
 
     @property
     def names(self) -> Names:
-        """Return what the text calls all bodies."""
+        """Return the letters and nouns of all bodies in the text."""
         return Names({address: letter for address, letter in self.letters.items() if letter}, self.nouns)
 
     def renamed(self, old: tuple[str, ...], new: tuple[str, ...]) -> "ParseState":
-        """With the bodies at some addresses moved to others."""
+        """Return the state with the facts at some addresses moved to other addresses."""
         moved = dict(zip(old, new, strict=True))
 
         def move(held: Mapping[str, Any]) -> dict[str, Any]:
@@ -150,7 +150,7 @@ def _moved(address: str, moved: Mapping[str, str]) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Thing:
-    """What stands at an address, as far as declarations tell: a number, a word, a list, or one of some models."""
+    """The declared type of the value at an address: a number, a word, a list, or an object of some class."""
 
     measure: Measure | None = None
     word: Word | None = None
@@ -160,7 +160,7 @@ class Thing:
 
 
 def thing_at(state: ParseState, address: str) -> Thing:
-    """Return what the declarations say about an address; KeyError for one that leads nowhere."""
+    """Return the declared type of the value at an address; KeyError if the address does not exist."""
     if address in state.kinds:
         return Thing(models=(state.kinds[address],))
     owner, _, step = address.rpartition(".")
@@ -177,7 +177,7 @@ def thing_at(state: ParseState, address: str) -> Thing:
 
 
 def joined(owner: str, path: str) -> str:
-    """Return the address of a path below an owner."""
+    """Return the address of a relative path below an owner."""
     return f"{owner}.{path}" if owner else path
 
 
@@ -188,7 +188,7 @@ def part_word(state: ParseState, owner: str, path: str) -> Word | None:
 
 
 def canonical(address: str, state: ParseState) -> Iterator[tuple[str, ParseState]]:
-    """`first` and `last` as indices; where the last one is not known yet, every possible one."""
+    """Yield the address with indices for `first` and `last`; for an unknown length, every possible index."""
     address = address.replace(".first.", ".0.")
     owner, _, step = address.rpartition(".")
     if step == "first":
@@ -212,9 +212,9 @@ SYMBOL = re.compile(r"\$([^$\n]{1,40})\$")
 
 
 def meanings(digits: str, unit: str) -> list[tuple[str, float]]:
-    """Return the units that may stand behind a number, each with the number's value in `unit`.
+    """Return the units in which a number may be given, each with the number's value in the declared `unit`.
 
-    What is declared in km/s may be told in m/s, too.
+    For example, a speed declared in km/s may be stated in m/s.
     """
     number = digits.replace("\N{MINUS SIGN}", "-").replace(POWER, "e")
     bare, size = coherent(unit)

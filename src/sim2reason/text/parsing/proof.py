@@ -1,6 +1,6 @@
-"""The proof of a reading: its scene, told again with the wordings that were read, has this very text.
+"""Verification of a parse: its scene, rendered with the wordings of the parse, must reproduce the text.
 
-Only zeros at the end of a decimal fraction are no matter, nor are prefixes: *1.20 km* is *1.2 km* and *1200 m*.
+Trailing zeros of decimals and SI prefixes are ignored: *1.20 km* equals *1.2 km* and *1200 m*.
 """
 
 import re
@@ -29,20 +29,20 @@ _MEASURED = re.compile(r"(\d+(?:\.\d+)?) ([A-Za-zµΩ²³·]+(?:/[A-Za-zµΩ²³
 
 
 class UnsaidError(TextError):
-    """A text that says nothing of something that matters in its scene."""
+    """An error for a text that omits a closing sentence that its scene needs."""
 
     def __init__(self, name: str) -> None:
-        """Store the name of the closing that would say it."""
+        """Store the name of the missing closing."""
         self.name = name
         super().__init__("text", f"nothing is said of {name!r}, which matters here", "say it at the end")
 
     def __reduce__(self) -> tuple[type[TextError], tuple[str, str, str]]:
-        """Pickle it as the error without the name, which only the parser looks at."""
+        """Pickle the error without the name of the closing, which only the parser uses."""
         return TextError, (self.place, self.problem, self.remedy)
 
 
 class ScriptedWriter(Writer):
-    """A writer whose choices are prescribed; where they run out it takes the first wording."""
+    """A writer that follows a script of wordings, and then takes the first wording."""
 
     def __init__(
         self,
@@ -52,22 +52,22 @@ class ScriptedWriter(Writer):
         order: tuple[str, ...] = (),
         without: Collection[Topic] = (),
     ) -> None:
-        """The script of a reading holds the choices for what is said; lines that stay unsaid take none.
+        """Store the script of a parse: the indices of the wordings of all sentences that the text contains.
 
-        Symbols in `given` stand. What the text does not say of a start that it leaves out is passed over.
+        Symbols in `given` are written as symbols. Sentences on an initial state that the text omits are skipped.
         """
         super().__init__(scene, state.names, np.random.default_rng(0), _voice(given, state.unknowns), order, without)
         self._script, self._state = iter(state.script), state
 
     def choose(self, options: tuple[str, ...]) -> str:
-        """Return the wording that the script demands."""
+        """Return the wording that the script prescribes."""
         return options[min(next(self._script, 0), len(options) - 1)]
 
     def pass_over(self, options: tuple[str, ...]) -> None:
-        """What is left out has no place in the script."""
+        """Do nothing: an omitted sentence has no entry in the script."""
 
     def leaves_out(self, closing: Closing) -> bool:
-        """That on a start only where the text does: it may say of one that it does not tell that it is from rest."""
+        """Return whether to omit a closing; one on a start from rest only if the text omits the start."""
         if closing.role == "start":
             return closing.name not in self._state.closings and _of_untold_start(closing, self._state)
         return super().leaves_out(closing)
@@ -84,7 +84,7 @@ class ScriptedWriter(Writer):
 
 
 def _voice(given: Mapping[str, str], unknown: Collection[str]) -> Voice:
-    """Numbers, but for those whose symbol has its number elsewhere, and for what is unknown."""
+    """Return a voice with numbers, except for symbols that are defined elsewhere or unknown."""
 
     def said(parameter: Parameter, symbol: str) -> str:
         return (symbolic if symbol in given or parameter.path in unknown else numeric)(parameter, symbol)
@@ -93,13 +93,13 @@ def _voice(given: Mapping[str, str], unknown: Collection[str]) -> Voice:
 
 
 def unsaid(scene: Scene, state: ParseState) -> list[str]:
-    """Return what matters in the scene, whatever is asked, and of which a reading says nothing."""
+    """Return the names of the closings that matter for every question and that the text omits."""
     lacking = [closing for closing in closings(scene) if closing.name not in state.closings]
     return [closing.name for closing in lacking if not closing.topic and not _of_untold_start(closing, state)]
 
 
 def _plain(sentence: str) -> str:
-    """Without zeros at the ends of numbers, and without prefixes of units."""
+    """Return a sentence without trailing zeros of decimals and without SI prefixes of units."""
     return _ZEROS.sub(r"\1", _MEASURED.sub(_without_prefix, sentence))
 
 
@@ -112,12 +112,12 @@ def _without_prefix(measured: re.Match[str]) -> str:
 
 
 def _of_untold_start(closing: Closing, state: ParseState) -> bool:
-    """Return whether it is on a start that the text leaves out."""
+    """Return whether a closing concerns an initial state that the text omits."""
     return closing.role == "start" and "start" in state.without
 
 
 def prove(scene: Scene, state: ParseState, text: tuple[str, ...], given: Mapping[str, str] = NONE_GIVEN) -> None:
-    """Return if the scene has this text; TextError names what should have been said or said otherwise."""
+    """Raise TextError, with the expected sentence, unless the scene renders as this text."""
     needed: dict[str, Topic | None] = {closing.name: closing.topic for closing in closings(scene)}
     if lacking := unsaid(scene, state):
         raise UnsaidError(lacking[0])

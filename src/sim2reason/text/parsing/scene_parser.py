@@ -1,4 +1,4 @@
-"""All readings of a text, proven one by one."""
+"""Parser of scene texts: all parses of a text, each verified by rendering it again."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -25,9 +25,9 @@ from sim2reason.text.parsing.tokens import pieces, shown
 from sim2reason.text.prose.closings import CLOSINGS
 
 MAX_READINGS = 200
-ASKS = r"\boxed"  # how the last sentence of every prompt ends
+ASKS = r"\boxed"  # the last sentence of every prompt contains this
 IS_PROMPT = "read a text that asks something with sim2reason.parse_prompt"
-PRESUMED_AT_MOST = 3  # closings that a text in ordinary English may leave out
+PRESUMED_AT_MOST = 3  # closings that a text in ordinary English may omit
 ENDS = 2  # of a connection
 SHARES = 0.6, 0.3, 0.8, 0.1, 0.9, 0.0, 1.0, 1.5, 2.5, 6.0
 """Of the way through the range of an unknown, and on beyond it: where a scene may fit together."""
@@ -35,7 +35,7 @@ SHARES = 0.6, 0.3, 0.8, 0.1, 0.9, 0.0, 1.0, 1.5, 2.5, 6.0
 
 @dataclass(frozen=True)
 class ParsedScene:
-    """A scene that was read from a text, with the names in the text.
+    """A scene parsed from a text, with the names in the text.
 
     Attributes:
         scene: The scene; a number that the text leaves open has some value in its range.
@@ -51,17 +51,17 @@ class ParsedScene:
     without: frozenset[Topic] = frozenset()  # topics on which the text says nothing; its scene has some start then
 
     def __repr__(self) -> str:
-        """Return the scene on one line, with the symbols of numbers that the text leaves open."""
+        """Return the scene in one line, with the symbols of unknown numbers."""
         unknown = f", unknown {', '.join(self.unknown.values())}" if self.unknown else ""
         return f"<ParsedScene: {repr(self.scene)[1:-1]}{unknown}>"
 
     def __str__(self) -> str:
-        """Return the scene in lines, with the names of bodies in the text."""
+        """Return the scene in several lines, with the names of bodies in the text."""
         return "\n".join([str(self.scene), *(f"  {address} is {name}" for address, name in self.mentions.items())])
 
     @property
     def names(self) -> dict[str, str]:
-        """Return addresses by name; if bodies without letters share a name, that of the first."""
+        """Return addresses by name; the first body's address if bodies without letters share a name."""
         return {name: address for address, name in reversed(self.mentions.items())}
 
 
@@ -72,11 +72,11 @@ def parse_scene(
     *,
     startless: bool = False,
 ) -> ParsedScene:
-    """Read the scene that a text describes.
+    """Parse a text that describes a scene.
 
-    The text may be in the words of the library, as `describe` writes it, or in ordinary English. In the latter each
-    sentence must mean exactly what a sentence of the library says, or the whole must be one of the kinds of scene that
-    ``sim2reason.list("textbook_scenes")`` returns. Readings that move alike and use the same names count as one.
+    The text may use the sentences of the library, as written by `describe`, or ordinary English. In ordinary English
+    each sentence must have an equivalent sentence of the library, or the whole text must match one of the kinds of
+    scenes in ``sim2reason.list("textbook_scenes")``. Parses with equal motions and names count as one.
 
     Args:
         text: The text, without a question.
@@ -117,7 +117,7 @@ def parse_scene(
 
 @dataclass(frozen=True)
 class _Readings:
-    """All readings of a text that are proven, and why others are not, each with the number of facts that it lacks."""
+    """The verified parses of a text, and the errors of the others with the number of closings each lacks."""
 
     found: list[ParsedScene]
     refused: list[tuple[int, TextError]]
@@ -125,17 +125,17 @@ class _Readings:
 
     @property
     def unsaid(self) -> list[str]:
-        """Return the names of the closing sentences, such as *rest*, whose absence is why a reading was refused."""
+        """Return the names of the missing closings, such as *rest*, for which parses were rejected."""
         return list(dict.fromkeys(error.name for _, error in self.refused if isinstance(error, UnsaidError)))
 
     @property
     def stuck(self) -> int | None:
-        """Return the index of the first sentence that no reading understands; None if some reading understands all."""
+        """Return the index of the first sentence that no parse matches; None if some parse matches all."""
         reach = self.matcher.reach
         return reach if not self.found and not self.refused and reach < len(self.matcher.pieces) else None
 
     def refusal(self) -> TextError:
-        """Return why there is not exactly one reading."""
+        """Return the error that explains why there is not exactly one parse."""
         if self.found:
             one, other = (_described(reading.scene) for reading in self.found[:2])
             return TextError("text", f"it tells two scenes: {one}; or {other}", "say more")
@@ -147,7 +147,7 @@ class _Readings:
 
 
 def _in_ordinary_english(said: tuple[str, ...], rng: np.random.Generator) -> ParsedScene | None:
-    """Return the scene of a text in ordinary English, recast in the library's sentences; None if there is none."""
+    """Return the scene of a text in ordinary English via the library's sentences; None if that fails."""
     for first in recast(said):
         waiting = [first]
         for told in waiting:  # grows as it is walked through
@@ -168,7 +168,7 @@ def _parsed(translation: LibraryText, rng: np.random.Generator) -> list[ParsedSc
 def _readings(
     said: tuple[str, ...], rng: np.random.Generator, given: Mapping[str, str], *, startless: bool = False
 ) -> _Readings:
-    """Return all readings of a text in the library's own sentences."""
+    """Return all parses of a text in the library's own sentences."""
     matcher = Matcher(said, given)
     found: dict[Signature, ParsedScene] = {}
     refused: list[tuple[int, TextError]] = []
@@ -192,25 +192,25 @@ def _readings(
 
 
 def _read(scene: Scene, state: ParseState) -> tuple[Signature, ParsedScene]:
-    """Return a proven reading, and what it has in common with those that mean the same."""
+    """Return a verified parse with its signature, which equivalent parses share."""
     names = {address: state.mention(address, full=True) for address in state.letters}
     unknown = {path: symbol.strip("$") for path, symbol in state.unknowns.items()}
     return signature(scene, names), ParsedScene(scene, names, unknown, state.without)
 
 
 def _sent_on(text: str, error: TextError) -> TextError:
-    """Return the same, with what reads prompts where the text is one."""
+    """Return the error; if the text is a prompt, one that recommends `parse_prompt`."""
     return TextError(error.place, error.problem, IS_PROMPT) if ASKS in text else error
 
 
 def _unread(index: int, sentence: str, near: str | None = None) -> TextError:
-    """Return the error for a sentence that is not understood, with the nearest sentence of the library."""
+    """Return the error for a sentence that does not parse, with the most similar sentence of the library."""
     remedy = f"the nearest that is: {near!r}" if near else "say it in the words of the library, or leave it out"
     return TextError(f"sentence {index + 1}", f"{shown(sentence)} is not understood", remedy)
 
 
 def _with_nearest(stuck: int, said: tuple[str, ...]) -> TextError:
-    """Return the error for a text that is no scene; it names the first unknown sentence at or after number `stuck`."""
+    """Return the error for an unparsable text; it quotes the first unknown sentence from index `stuck` on."""
     unlike = first_unlike(said[stuck:])
     told = next(recast(said), None) if unlike is None else None
     if told is not None:
@@ -221,7 +221,7 @@ def _with_nearest(stuck: int, said: tuple[str, ...]) -> TextError:
 
 
 def _with_missing(error: TextError, translations: list[LibraryText]) -> TextError:
-    """Return the error for a text that could not be read; if only facts are missing, it names them first."""
+    """Return the error for an unparsable text; missing facts come first if nothing else is wrong."""
     if not translations or not all(found.missing for found in translations):
         return error
     lacks = ", ".join(min((found.missing for found in translations), key=len))
@@ -229,27 +229,27 @@ def _with_missing(error: TextError, translations: list[LibraryText]) -> TextErro
 
 
 def _described(scene: Scene) -> str:
-    """Return the entities of a scene and how they are joined, in one line."""
+    """Return the entities of a scene and their connections, in one line."""
     kinds = ", ".join(f"{named.name} a {type(named.entity).__name__}" for named in scene.entities)
     joined = ", ".join("-".join(map(str, connection.links)) for connection in scene.connections)
     return f"{kinds}{' joined by ' if joined else ''}{joined}"
 
 
 class _Grammar:
-    """The order of a text: entities' lines, each string after those of the entities on it, then the closings."""
+    """The sentence order of a text: sentences of entities, strings after their entities, then closings."""
 
     def __init__(self, matcher: Matcher) -> None:
         self._matcher = matcher
         self._silent = [kind for kind in ENTITIES.values() if any(self._unheard(ParseState({}), "e", kind))]
 
     def _unheard(self, state: ParseState, address: str, kind: type[Entity]) -> Iterator[ParseState]:
-        """Yield an entity of which no line is said: its bodies are met on a string."""
+        """Yield states with a new entity without sentences, whose bodies occur only on a string."""
         here = state.with_kind(address, kind)._replace(entities=(*state.entities, address))
         for _, then in entity_lines(self._matcher, address, len(self._matcher.pieces), here):
             yield then
 
     def scenes(self, place: int, state: ParseState) -> Iterator[ParseState]:
-        """Yield all readings of the pieces from `place` on."""
+        """Yield all parses of the sentences from index `place` on."""
         yield from self._entities(place, state)
         yield from self._strings(place, state)
         yield from self._closings(place, 0, state)
@@ -274,7 +274,7 @@ class _Grammar:
                     yield from self.scenes(place + 1, then)
 
     def _closings(self, place: int, number: int, state: ParseState) -> Iterator[ParseState]:
-        """Yield the closings from a number on, each of which may be needed or not."""
+        """Yield the parses of the closings from index `number` on; each may be present or absent."""
         if place == len(self._matcher.pieces):
             yield state
             return
@@ -287,7 +287,7 @@ class _Grammar:
                     yield from self._closings(place + 1, index + 1, then)
 
     def legs(self, kind: type[Connection], state: ParseState, links: tuple[Link, ...]) -> Iterator[Leg[ParseState]]:
-        """Free ports of entities that were parse_scene, or of new ones that have no lines."""
+        """Yield the free ports of parsed entities, or of new entities without sentences."""
         passed = {link.entity for link in links}
         for address in state.entities:
             if address not in passed:
@@ -299,10 +299,10 @@ class _Grammar:
 
 
 def _joined_on(name: str, kind: type[Connection], told: ParsedSentence[ParseState]) -> ParseState | None:
-    """Return what was read, with a connection; None if lines that wait for it came in another order than it goes.
+    """Return the state with a connection added; None if the order of sentences contradicts its direction.
 
-    The Writer tells the lines of entities in the order of the links, but a string from the end that makes
-    the better sentence; so if the lines came the other way round, the links are the other way round.
+    The Writer renders the sentences of entities in the order of the links, but a string from the end that gives the
+    better sentence; if the sentences are in the opposite order, the links are reversed.
     """
     state, links = told.state, told.links
     on = [link.entity for link in links if link.entity in state.waiting]
@@ -317,6 +317,6 @@ def _joined_on(name: str, kind: type[Connection], told: ParsedSentence[ParseStat
 
 
 def _turned(state: ParseState, link: Link) -> Link:
-    """Return a link as it is passed from the other side."""
+    """Return a link traversed in the opposite direction."""
     passed = isinstance(outer_ports(state.kind(link.entity, Entity))[link.port], Pass)
     return Link(entity=link.entity, port=link.port, flipped=link.flipped != passed)

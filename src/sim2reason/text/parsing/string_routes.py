@@ -1,4 +1,4 @@
-"""Where a string can begin and go on, as far as a text has told: the stops that its sentence may name."""
+"""Possible routes of a string through the parsed entities: the stops that its sentence may name."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -11,13 +11,13 @@ from sim2reason.text.parsing.parse_state import ParseState
 
 @dataclass(frozen=True, slots=True)
 class InnerRoute:
-    """A string inside an entity: all its stops are declared, only its direction is open."""
+    """The route of a string inside an entity: its stops are declared, only its direction is open."""
 
     entity: str
     inner: Inside
 
     def legs(self, kind: type[Connection], state: ParseState, links: tuple[Link, ...]) -> Iterator[Leg[ParseState]]:
-        """Yield the whole connection, from either end."""
+        """Yield the complete connection, starting from either end."""
         del kind
         if links:
             return
@@ -27,7 +27,7 @@ class InnerRoute:
 
 
 def port_stops(state: ParseState, name: str, address: str) -> list[Stop]:
-    """Return a port of an entity that was read as the stops that a string makes there, from the inside out."""
+    """Return the stops of a string at a port of a parsed entity, from the inside outwards."""
     head, _, rest = name.partition(".")
     if rest:
         inner = f"{address}.{head}"
@@ -39,7 +39,7 @@ def port_stops(state: ParseState, name: str, address: str) -> list[Stop]:
 
 
 def must_end_at(state: ParseState, address: str) -> bool:
-    """Return whether an entity needs a connection, and has no port where that could go on to others."""
+    """Return whether an entity needs a connection but has no port at which it could continue."""
     ports = outer_ports(state.kind(address, Part))
     if not any(port.required for port in ports.values()):
         return False
@@ -51,7 +51,7 @@ def _goes_on(stops: list[Stop]) -> bool:
 
 
 def free_legs(kind: type[Connection], state: ParseState, address: str, *, first: bool) -> Iterator[Leg[ParseState]]:
-    """Yield the ports of an entity that nothing has taken, as a connection's beginning or as its next leg."""
+    """Yield the free ports of an entity as the start (`first`) or the next leg of a connection."""
     taken = {(link.entity, link.port) for joined in state.joined for link in joined.links}
     for name in outer_ports(state.kind(address, Part)):
         stops = port_stops(state, name, address)

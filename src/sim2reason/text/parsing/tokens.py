@@ -1,4 +1,4 @@
-"""Text divided into sentences and tables."""
+"""Division of a text into sentences and tables."""
 
 import re
 from collections.abc import Iterator
@@ -19,7 +19,7 @@ _END = re.compile(r"(?<=\.) ")
 
 
 def pieces(text: str) -> tuple[str, ...]:
-    """Sentences, and tables as their rows joined by line breaks; TextError for a text that is empty or too long."""
+    """Return the sentences, and tables with rows joined by line breaks; TextError if empty or too long."""
     if len(text) > MAX_CHARACTERS:
         raise TextError("text", f"it has {len(text)} characters", f"give at most {MAX_CHARACTERS}")
     found: list[str] = []
@@ -47,13 +47,13 @@ def _sentences(lines: list[str]) -> list[str]:
 
 
 def shown(piece: str) -> str:
-    """Return a piece as messages quote it."""
+    """Return a sentence or table, shortened for error messages."""
     return repr(piece if len(piece) <= 120 else f"{piece[:117]}...")
 
 
 @dataclass(frozen=True, slots=True)
 class _Grid:
-    """The cells of a table: the noun and the headings above, letters and numbers below."""
+    """The cells of a table: noun and headings in the first row, letters and numbers below."""
 
     noun: str
     headings: tuple[str, ...]
@@ -64,7 +64,7 @@ class _Grid:
 def parse_table(
     matcher: Matcher, leads: tuple[str, ...], field: str, kind: type[Body], place: int, state: ParseState
 ) -> Iterator[tuple[int, ParseState]]:
-    """The members of `field` from a lead-in, one of `leads`, sentences on what agrees, and a table of the rest."""
+    """Yield the states after a table of the members of `field`: lead-in, sentences on equal columns, and rows."""
     at = next((i for i in range(place, len(matcher.pieces)) if matcher.pieces[i].startswith("|")), place)
     grid = _grid(matcher.pieces[at]) if at > place else None
     if grid is None or grid.noun not in kind.nouns or state.nouns.get(kind, grid.noun) != grid.noun:
@@ -86,7 +86,7 @@ def parse_table(
 
 
 def _grid(piece: str) -> _Grid | None:
-    """Return a table taken apart; None if its rows do not fit together."""
+    """Return a table divided into cells; None if its rows have different lengths."""
     rows = [[cell.strip() for cell in row.strip("|").split("|")] for row in piece.split("\n")]
     head = rows[0]
     if len(rows) < 3 or rows[1] != ["---"] * len(head) or any(len(row) != len(head) for row in rows):
@@ -120,7 +120,7 @@ def _filled(
 
 
 def _told(matcher: Matcher, cell: str, measure: Measure | None) -> float | str | None:
-    """A symbol, or the number for which it stands, or a number whose unit stands in the heading but for a degree's."""
+    """Return the value of a cell: a symbol, the number it stands for, or a number in the heading's unit."""
     unit = measure.unit if measure is not None else ""
     if symbol := SYMBOL.fullmatch(cell):
         if symbol[1] not in matcher.given:
@@ -132,7 +132,7 @@ def _told(matcher: Matcher, cell: str, measure: Measure | None) -> float | str |
 
 
 def _agreed(matcher: Matcher, piece: str, kind: type[Body], members: list[str], state: ParseState) -> ParseState | None:
-    """Return what a sentence on a number that all rows share tells."""
+    """Return the state after a sentence that states a number common to all rows."""
     for name in headings(kind):
         start, measure = matcher.literal(piece, 0, shared_start(kind, name)), field_types(kind)[name].measure
         if start is None or measure is None:

@@ -1,4 +1,4 @@
-"""From a scene to its text: names, wordings, tables, and what is said at the end."""
+"""Rendering of scenes as text: names, wordings, tables and closing sentences."""
 
 from sim2reason.text.prose.description import Description, describe
 

@@ -1,4 +1,4 @@
-"""What is true of a whole scene and said at the end of its text, each only where it matters."""
+"""Closing sentences of a text, which concern the whole scene, such as a start from rest."""
 
 import re
 from collections.abc import Callable
@@ -16,10 +16,10 @@ from sim2reason.scenes.dsl.vectors import minus, product
 
 @dataclass(frozen=True, slots=True)
 class Closing:
-    """A sentence in its wordings, and the scenes that need it.
+    """A closing sentence in several wordings, and the condition under which a scene needs it.
 
-    `of_symbol` is the wording where its number is a symbol, which none of the others would then define. One with a
-    `topic` is told only for a question that it matters to.
+    `of_symbol` is the wording for a symbolic number, which the other wordings would not define. A closing with a
+    `topic` appears only in texts of questions that it matters for.
     """
 
     name: str
@@ -31,7 +31,7 @@ class Closing:
 
     @property
     def spoken(self) -> tuple[str, ...]:
-        """All its wordings, that of a symbol last."""
+        """Return all wordings, with the symbolic one last."""
         return (*self.wordings, self.of_symbol) if self.of_symbol else self.wordings
 
 
@@ -40,9 +40,9 @@ def _from_rest(scene: Scene) -> bool:
 
 
 def _strings(scene: Scene) -> int:
-    """How many strings there are, 2 standing for more; none if all that can be slack are told to be taut already.
+    """Return the number of strings, capped at 2; 0 if all that can go slack are already stated to be taut.
 
-    A massive pulley parts one string into several lines.
+    A massive pulley divides one string into several lines.
     """
     taut = tuple(f"{named.name}." for named in scene.entities if named.entity.tells_taut)
     lines = [line for line in scene.mechanism.lines if isinstance(line.law, Inextensible | ConstantTension)]
@@ -55,7 +55,7 @@ def _slackens(scene: Scene) -> bool:
 
 
 def is_lone(scene: Scene) -> bool:
-    """Return whether nothing but one body moves."""
+    """Return whether only one body moves."""
     return sum(bool(body.coordinates) for body in scene.mechanism.bodies) == 1
 
 
@@ -65,7 +65,7 @@ def _has_massive_pulley(scene: Scene) -> bool:
 
 
 def _turns(scene: Scene) -> int:
-    """Return how many pulleys there are to speak of; small ones at corners count, too, each once for both its sides."""
+    """Return the number of pulleys mentioned in the text; small pulleys at corners count once."""
     mechanism = scene.mechanism
     corners = {site for line in mechanism.lines for site in line.through[1:-1]}
     wheels = {f"{address}." for address, body in scene.bodies.items() if body.nouns[0] == "pulley"}
@@ -73,7 +73,7 @@ def _turns(scene: Scene) -> int:
 
 
 def _has_edges(scene: Scene) -> bool:
-    """Whether something lies on a face that has an end: on a body that moves. Planes fixed in the room have none."""
+    """Return whether a body lies on a face with an end, which belongs to a moving body."""
     mechanism = scene.mechanism
     parents = {body.name: body.parent for body in mechanism.bodies}
     moving = {body.name for body in mechanism.bodies if body.coordinates}
@@ -84,7 +84,7 @@ def _has_faces(scene: Scene) -> bool:
     return _turns(scene) == 0 and _has_edges(scene)
 
 
-TOUCHING = 1e-9  # m; a gap that is none
+TOUCHING = 1e-9  # m; smaller gaps count as contact
 RELEASES = (
     "everything is released from rest{taut}.",
     "everything starts from rest{taut}.",
@@ -115,7 +115,7 @@ STRETCHED = (
 
 
 def _release(strings: int, *, lone: bool) -> Closing:
-    """Return a start from rest of one body or several, on so many strings."""
+    """Return the closing for a start from rest, for one body or several and a number of strings."""
     wordings = LONE_RELEASES if lone else RELEASES
     return Closing(
         f"rest{' of one body' * lone}{TAUT[strings]}",
@@ -126,7 +126,7 @@ def _release(strings: int, *, lone: bool) -> Closing:
 
 
 def _stretched(strings: int) -> Closing:
-    """Taut strings where the start itself is told by entities."""
+    """Return the closing on taut strings for scenes whose entities state the initial motion."""
     return Closing(
         f"start{TAUT[strings]}",
         lambda scene: not _from_rest(scene) and _strings(scene) == strings,
@@ -135,7 +135,7 @@ def _stretched(strings: int) -> Closing:
     )
 
 
-TURNING = {  # by whether there are several pulleys, and whether any has mass
+TURNING = {  # keys: several pulleys, massive pulleys
     (False, False): (
         "the pulley is frictionless",
         "there is no friction at the pulley",
@@ -159,7 +159,7 @@ TURNING = {  # by whether there are several pulleys, and whether any has mass
         "axles are frictionless, no string slips on a pulley",
     ),
 }
-ROOM = {  # by whether there are several pulleys, and whether there are edges
+ROOM = {  # keys: several pulleys, edges
     (False, False): ("every string is long enough", "no body reaches it", "there is ample room to move"),
     (True, False): ("no body reaches a pulley", "every string is long enough", "all strings are long enough"),
     (False, True): (
@@ -177,7 +177,7 @@ _EITHER = (False, True)
 
 
 def _pulleys(several: bool, massive: bool, edges: bool) -> Closing:  # noqa: FBT001 - the three ways in which they differ
-    """Return how pulleys turn, and that there is room: one sentence, and only where there are pulleys."""
+    """Return the closing that states how pulleys turn and that bodies do not reach pulleys or edges."""
 
     def needed(scene: Scene) -> bool:
         count = _turns(scene)
@@ -189,7 +189,7 @@ def _pulleys(several: bool, massive: bool, edges: bool) -> Closing:  # noqa: FBT
 
 
 def _touches(scene: Scene) -> bool:
-    """Return whether a pair that may bounce is in contact at the start of a scene with several such pairs."""
+    """Return whether one of several pairs that may collide is in contact at the start."""
     mechanism = scene.mechanism
     bouncing = [meeting for meeting in mechanism.meetings if meeting.restitution > 0.0]
     if len(bouncing) < 2:
@@ -199,7 +199,7 @@ def _touches(scene: Scene) -> bool:
 
 
 def _gap(frames: Frames, meeting: Meeting) -> float:
-    """Return the gap at the start, m, between two bodies, or between a body and a surface."""
+    """Return the initial gap between two bodies, or a body and a surface, m."""
     other = frames.center(meeting.b).place
     apart = other if meeting.a is None else minus(other, frames.center(meeting.a).place)
     return float(hypot(*apart) if meeting.normal is None else product(meeting.normal, apart)) - meeting.distance
@@ -259,12 +259,12 @@ RESTS: dict[str, str] = {
 
 
 def closings(scene: Scene) -> list[Closing]:
-    """Return the closings that a scene needs, in the order in which they are said."""
+    """Return the closings that a scene needs, in the order of the text."""
     return [closing for closing in CLOSINGS if closing.needed(scene)]
 
 
 def is_assumption(sentence: str) -> bool:
-    """Return whether a sentence is one of the closings on what holds throughout."""
+    """Return whether a sentence is a closing that states an assumption about the whole motion."""
     return _assumptions().fullmatch(sentence) is not None
 
 

@@ -1,4 +1,4 @@
-"""A scene in words, as whoever reads them needs it: sentences, names and symbols; a first pass finds their order."""
+"""Descriptions: the text of a scene with its names and symbols, written in two passes."""
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
@@ -73,15 +73,15 @@ class Description:
         return self.roles.get(sentence, "fact")
 
     def voiced(self, voice: Voice) -> "Description":
-        """Return a description of the same sentences in another voice."""
+        """Return the description with the same sentences in another voice (numbers or symbols)."""
         return self._written(voice, self.without)
 
     def leaving_out(self, topics: Collection[Topic]) -> "Description":
-        """Return a description without the sentences on some topics."""
+        """Return the description without the sentences on the given topics."""
         return self._written(self.voice, topics) if topics else self
 
     def _written(self, voice: Voice, without: Collection[Topic]) -> "Description":
-        """Write the text again after the first pass, which depends on the scene and the seed alone."""
+        """Write the text again from the first pass, which depends only on the scene and the seed."""
         dry = self.dry if self.dry is not None else draft(self.scene, self.seed)[1]
         return written(dry, self.seed, voice, without)
 
@@ -131,7 +131,7 @@ def describe(
 
 
 def written(dry: Writer, seed: int = 0, voice: Voice = numeric, without: Collection[Topic] = ()) -> Description:
-    """Write the text of a scene in a second pass, after a first pass by `dry`."""
+    """Render the text of a scene in a second pass, after the first pass `dry`."""
     scene = dry.scene
     names = Names(letters(dry.introduced, scene.bodies), dry.names.nouns)
     final = Writer(scene, names, np.random.default_rng([seed, 2]), voice, tuple(dry.told), without)
@@ -141,14 +141,14 @@ def written(dry: Writer, seed: int = 0, voice: Voice = numeric, without: Collect
 
 
 def draft(scene: Scene, seed: int = 0) -> tuple[list[str], Writer]:
-    """Write the first pass of a text; return its sentences and its writer."""
+    """Render the first pass of a text; return its sentences and its writer."""
     nouns = _nouns(scene, np.random.default_rng([seed, 1]))
     writer = Writer(scene, Names(nouns=nouns), np.random.default_rng([seed, 2]), numeric)
     return writer.sentences(), writer
 
 
 def _nouns(scene: Scene, rng: np.random.Generator) -> dict[type[Body], str]:
-    """Draw a noun for each class of bodies, the first twice as often as any other, or if another suits not all."""
+    """Draw a noun for each class of bodies; the first noun has twice the weight of any other."""
     classes = sorted({type(body) for body in scene.bodies.values()}, key=lambda held: held.__name__)
     drawn = {held: held.nouns[max(0, int(rng.integers(-1, len(held.nouns))))] for held in classes}
     bodies = scene.bodies

@@ -1,4 +1,4 @@
-"""Names, phrases and tables of the text of a scene."""
+"""Names, phrases and tables in the text of a scene."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
@@ -18,22 +18,22 @@ BODIES = "bodies"
 
 
 def alike(members: tuple[object, ...]) -> bool:
-    """Return whether all are of one kind."""
+    """Return whether all objects have the same class."""
     return len({type(member) for member in members}) == 1
 
 
 def paragraphs(sentences: Iterable[str]) -> str:
-    """Sentences as one paragraph; a table stands on lines of its own."""
+    """Join sentences into one paragraph; tables keep lines of their own."""
     return " ".join(sentences).replace(" \n\n", "\n\n").replace("\n\n ", "\n\n").strip()
 
 
 def join(items: list[str], last: str = " and ") -> str:
-    """A, B and C."""
+    """Join items with commas and a conjunction: *A, B and C*."""
     return items[0] if len(items) == 1 else ", ".join(items[:-1]) + last + items[-1]
 
 
 def another(text: str) -> str:
-    """Return an introduction of a second of its kind."""
+    """Return the phrase that introduces a second body of a class: *another block*."""
     for article in ("a ", "an "):
         if text.startswith(article):
             return "another " + text[len(article) :]
@@ -41,12 +41,12 @@ def another(text: str) -> str:
 
 
 def introductions(kind: type[Body], *, again: bool) -> tuple[str, ...]:
-    """Return the templates that introduce a body without a letter, for the first time or `again`."""
+    """Return the templates for a first mention without a letter; `again` if its noun was used before."""
     return (kind.again or tuple(map(another, kind.lone))) if again else kind.lone
 
 
 def canonical(part: Model, path: str) -> str:
-    """`first` and `last` as indices; before a word of a member only `first`."""
+    """Return the path with indices for `first` and `last`; before a word of a member only for `first`."""
     steps = path.replace(".first.", ".0.").split(".")
     if steps[-1] in ("first", "last"):
         members = lookup(part, ".".join(steps[:-1]))
@@ -55,13 +55,13 @@ def canonical(part: Model, path: str) -> str:
 
 
 def spoken(saying: Saying, part: Any) -> tuple[str, ...]:
-    """Return the templates for a sentence about a part, which may depend on the presence of an optional number."""
+    """Return the templates of a sentence about a part, which may depend on an optional number."""
     given = isinstance(saying, Wordings) and saying.given
     return wordings(saying, given=bool(given) and resolved(part, str(given)) is not None)
 
 
 def resolved(part: Any, path: str) -> Any:
-    """Return what a slot speaks of; a word of a body stands for the body itself."""
+    """Return the object that a slot refers to; for a word of a body, the body."""
     held: Any = part
     for step in path.split("."):
         if held is None:
@@ -77,37 +77,37 @@ def resolved(part: Any, path: str) -> Any:
 
 @dataclass(frozen=True)
 class Names:
-    """The letter of each body (empty for a lone one) and the noun that each class goes by in this text."""
+    """The letters of bodies (empty for a single one), and the noun of each class in the text."""
 
     letters: Mapping[str, str] = field(default_factory=dict[str, str])
     nouns: Mapping[type[Body], str] = field(default_factory=dict[type[Body], str])
 
     def noun(self, body: Body) -> str:
-        """Return the everyday word for a body in this text."""
+        """Return the noun for a body in this text."""
         return self.nouns.get(type(body), body.nouns[0])
 
     def mention(self, address: str, body: Body, *, full: bool = True) -> str:
-        """Return how a body that was introduced is spoken of: *the block*, *block A*, or *A* where `full` is off."""
+        """Return the name of an introduced body: *the block*, *block A*, or *A* if not `full`."""
         return called(self.noun(body), self.letters.get(address, ""), full=full)
 
 
 def called(noun: str, letter: str, *, full: bool) -> str:
-    """Return a body by its noun and its letter, if it has one; a digit alone would pass for a number."""
+    """Return the name of a body from its noun and letter; a digit alone would be mistaken for a number."""
     if not letter:
         return f"the {noun}"
     return f"{noun} {letter}" if full or letter[0].isdigit() else letter
 
 
 def listed(noun: str, letters: list[str], *, full: bool) -> str:
-    """Several bodies of one noun by their letters: *blocks A and B*, or *A and B* where `full` is off."""
+    """Return the names of several bodies with one noun: *blocks A and B*, or *A and B* if not `full`."""
     plural = f"{noun}s " if full or letters[0][:1].isdigit() else ""
     return plural + join(letters)
 
 
 def letters(order: Iterable[str], bodies: Mapping[str, Body]) -> dict[str, str]:
-    """Letters by address, in the order of first mention; a lone body of its series has none.
+    """Return letters by address in the order of first mention; a single body of its series has none.
 
-    Classes with the same series share it, as if there had never been groups.
+    Classes with the same series of letters share it.
     """
     series: dict[str, list[str]] = {}
     for address in order:
@@ -121,13 +121,13 @@ def letters(order: Iterable[str], bodies: Mapping[str, Body]) -> dict[str, str]:
 
 
 def letter_at(alphabet: str, index: int) -> str:
-    """Return the letter at a place of a series; after its end the series begins again with a digit."""
+    """Return the letter at an index of a series; after the last letter a digit is added."""
     turn, place = divmod(index, len(alphabet))
     return alphabet[place] + (str(turn + 1) if turn else "")
 
 
 def symbols(parameters: Iterable[Parameter], bodies: Mapping[str, Body], names: Names) -> dict[str, str]:
-    """Return a LaTeX symbol for every parameter: m_A where the body has a letter, else m, else m with the noun."""
+    """Return a LaTeX symbol for every parameter: m_A if the body has a letter, else m, or m with the noun."""
     wanted: dict[str, list[str]] = {}
     for parameter in parameters:
         owner, _, name = parameter.path.rpartition(".")
@@ -160,7 +160,7 @@ LEAD_INS = (
 
 
 class RowWriter(Protocol):
-    """What a table needs of whoever writes the text around it."""
+    """The methods of a writer that tables need."""
 
     names: Names
 
@@ -169,20 +169,20 @@ class RowWriter(Protocol):
         ...
 
     def finish(self, sentence: str) -> str:
-        """Return a rendered sentence with its capital."""
+        """Return a rendered sentence with an initial capital."""
         ...
 
     def at(self, address: str) -> str:
-        """Return what the text has for an address."""
+        """Return the text of the value at an address."""
         ...
 
     def render(self, template: str, address: str) -> str:
-        """Return a template of the part at an address."""
+        """Render a template of the part at an address."""
         ...
 
 
 def headings(kind: type[Body]) -> dict[str, str]:
-    """Return the heading of every spoken column, by field: its symbol and unit."""
+    """Return the headings of all columns, by field: symbol and unit."""
     found: dict[str, str] = {}
     for name, held in field_types(kind).items():
         if held.measure is not None and not held.hidden:
@@ -193,7 +193,7 @@ def headings(kind: type[Body]) -> dict[str, str]:
 
 
 def table(writer: RowWriter, leads: tuple[str, ...], where: list[str], members: tuple[Body, ...]) -> list[str]:
-    """Return a lead-in, one of `leads`, the columns that agree in sentences, the others as Markdown rows."""
+    """Return a lead-in, sentences for the columns with equal numbers, and a Markdown table of the others."""
     noun, kind = writer.names.noun(members[0]), type(members[0])
     columns = headings(kind)
     shared = [name for name in columns if _agrees(writer, name, where, members)]
@@ -211,7 +211,7 @@ def table(writer: RowWriter, leads: tuple[str, ...], where: list[str], members: 
 
 
 def _agrees(writer: RowWriter, name: str, where: list[str], members: tuple[Body, ...]) -> bool:
-    """Return whether a column has the same number in all rows, and none of them alone is an unknown."""
+    """Return whether a column has the same number in all rows, with no unknown in only some of them."""
     said = {writer.at(f"{address}.{name}") for address in where}
     return len({getattr(member, name) for member in members}) == 1 and len(said) in (1, len(where))
 
@@ -223,7 +223,7 @@ def introduced(lead: str, noun: str, kind: type[Body], shown: list[str]) -> str:
 
 
 def shared_start(kind: type[Body], name: str) -> str:
-    """How the sentence on a column that agrees begins, up to the number: by name, or by symbol if two share it."""
+    """Return the beginning of the sentence for a column with equal numbers, by name or symbol."""
     names = [_name(kind, other) for other in headings(kind)]
     mine = _name(kind, name)
     return f"Each has the {mine} " if names.count(mine) == 1 else f"Each has {headings(kind)[name].split(' (')[0]} = "
@@ -235,5 +235,5 @@ def _name(kind: type[Body], name: str) -> str:
 
 
 def _cell(value: str) -> str:
-    """Return a number without its unit, which the heading has."""
+    """Return a number without its unit, which the heading states."""
     return value.split(" ", maxsplit=1)[0]

@@ -1,4 +1,4 @@
-"""Symbols with the nouns of numbers, and numbers in formulas."""
+"""Names of the quantities behind symbols, and conversion of numbers for formulas."""
 
 import re
 from collections.abc import Mapping
@@ -13,16 +13,16 @@ from sim2reason.scenes.dsl.unit_text import factors
 from sim2reason.scenes.dsl.units import SYSTEMS, coherent, parse_unit
 from sim2reason.text.prose.description import Description
 
-DIGITS = 12  # of a number that was counted and is said again
+DIGITS = 12  # significant digits of a converted number
 MINUS = "\N{MINUS SIGN}"
 DEGREES, RADIANS = "deg", "rad"
 
 
 @cache
 def factor(unit: str) -> float:
-    """Return what a number of some unit is multiplied by for a formula: 1 but for degrees and kilometres.
+    """Return the factor from a stated unit to the unit in formulas: 1 except for degrees and kilometres.
 
-    Units of coherent systems other than the SI, such as those of astronomy, stand in formulas as they are.
+    Units of other coherent systems, such as those of astronomy, are unchanged.
     """
     own = frozenset[str]().union(*(system.own for system in SYSTEMS))
     return 1.0 if own & {word for word, _ in factors(unit)} else parse_unit(unit).factor
@@ -30,7 +30,7 @@ def factor(unit: str) -> float:
 
 @cache
 def counted_in(unit: str) -> str:
-    """The unit of the numbers in formulas that a text says in `unit`: ``rad`` for ``deg``, ``m/s`` for ``km/s``."""
+    """Return the unit that formulas use for a stated unit: ``rad`` for ``deg``, ``m/s`` for ``km/s``."""
     if factor(unit) == 1.0:
         return unit
     words = ((RADIANS if word == DEGREES else word, power) for word, power in factors(unit))
@@ -38,7 +38,7 @@ def counted_in(unit: str) -> str:
 
 
 def said_in(number: float, unit: str) -> str:
-    """Return a number of a formula, in the unit that it has there, as a text says it: 30° for 0.5236 rad, 2.5 kg."""
+    """Return the text of a number from a formula in its stated unit: 30° for 0.5236 rad, 2.5 kg."""
     if unit == RADIANS:
         number, unit = number / factor(DEGREES), DEGREES
     plain = format(Decimal(f"{number:.{DIGITS}g}"), "f")  # no text has exponents
@@ -55,7 +55,7 @@ NOUNS = (
 
 
 def with_names(marked: Description) -> Description:
-    """Return a text in symbols, each with its noun where it would stand alone."""
+    """Return a symbolic text in which each bare symbol follows the name of its quantity."""
     parameters = {parameter.path: parameter for parameter in marked.scene.parameters}
     units = {marked.symbols[path]: p.measure.unit for path, p in parameters.items() if path in marked.symbols}
     names = {
@@ -93,7 +93,7 @@ def _with_nouns(sentence: str, units: Mapping[str, str]) -> str:
 
 @cache
 def _named() -> re.Pattern[str]:
-    """Return a symbol in a bracket behind the name of a number that some body has."""
+    """Return the pattern of a symbol in brackets after the name of a quantity."""
     held = (kind for body in BODIES.values() for kind in field_types(body).values())
     names = {kind.measure.name for kind in held if kind.measure is not None}
     return re.compile(rf"\((?:{'|'.join(map(re.escape, sorted(names)))}) (\$[^$]+\$)\)")

@@ -1,4 +1,4 @@
-"""Voices: how texts write numbers, as digits or as symbols, and what stands for bodies."""
+"""Voices of a text: how numbers are written, as digits or symbols, and how bodies are named."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Collection, Iterable, Mapping
@@ -18,30 +18,30 @@ VoiceName = Literal["numeric", "symbolic"]
 
 
 def numeric(parameter: Parameter, symbol: str) -> str:
-    """Return the number and its unit."""
+    """Return the number with its unit."""
     del symbol
     return parameter.measure.say(parameter.value or 0.0)
 
 
 def symbolic(parameter: Parameter, symbol: str) -> str:
-    """Return the symbol alone."""
+    """Return only the symbol."""
     del parameter
     return f"${symbol}$"
 
 
 def symbolic_but_zero(parameter: Parameter, symbol: str) -> str:
-    """The symbol alone, but for what is zero: the text says that, since it is no number that could be another."""
+    """Return only the symbol, except for zero, which the text states as a number."""
     return (symbolic if parameter.value else numeric)(parameter, symbol)
 
 
 @dataclass(frozen=True, slots=True)
 class Hiding:
-    """Numbers, but for the parameters at some addresses, which are spoken of as unknowns."""
+    """A voice that writes numbers, except symbols for the parameters at the given addresses."""
 
     paths: tuple[str, ...]
 
     def __call__(self, parameter: Parameter, symbol: str) -> str:
-        """Return the symbol of what is hidden, else the number."""
+        """Return the symbol of a hidden parameter, else the number."""
         return (symbolic if parameter.path in self.paths else numeric)(parameter, symbol)
 
 
@@ -49,12 +49,12 @@ VOICES: Mapping[str, Voice] = {"numeric": numeric, "symbolic": symbolic}
 
 
 def hiding(*paths: str) -> Voice:
-    """Numbers, but for the parameters at some addresses, which are spoken of as unknowns."""
+    """Return a voice that writes numbers, except symbols for the parameters at the given addresses."""
     return Hiding(paths)
 
 
 def voice_of(given: Iterable[Parameter], voice: Voice | VoiceName, hide: Collection[str] = ()) -> Voice:
-    """A voice that may be given by its name, with addresses to hide; SceneError if at one of them no number is told."""
+    """Return a voice from its name, with hidden addresses; SceneError if no number is stated at one of them."""
     if hide:
         known = [parameter.path for parameter in given if not parameter.hidden and parameter.value is not None]
         for address in hide:
@@ -68,10 +68,10 @@ def voice_of(given: Iterable[Parameter], voice: Voice | VoiceName, hide: Collect
 
 
 class Terms(ABC):
-    """Bodies by their nouns and letters, introduced at first mention, and numbers in one voice."""
+    """The names of bodies, introduced at first mention, and the numbers of a text in one voice."""
 
     def __init__(self, scene: Scene, names: Names, voice: Voice, order: tuple[str, ...] = ()) -> None:
-        """Nothing is introduced yet; like symbols are numbered by `order`, and what is not in it comes after."""
+        """Prepare a text without introduced bodies; equal symbols are numbered in the sequence `order`."""
         self.scene, self.names, self._voice, self._order = scene, names, voice, order
         self.introduced: dict[str, None] = {}
         self.told: dict[str, None] = {}  # the addresses of numbers
@@ -82,7 +82,7 @@ class Terms(ABC):
 
     @cached_property
     def parameters(self) -> dict[str, Parameter]:
-        """Every declared number by address, those of bodies that strings bring included."""
+        """Return all declared numbers by address, including those of bodies on strings."""
         found = {parameter.path: parameter for parameter in self.scene.parameters}
         for address, body in self.scene.bodies.items():
             found.update({parameter.path: parameter for parameter in parameters(body, address)})
@@ -90,7 +90,7 @@ class Terms(ABC):
 
     @cached_property
     def symbols(self) -> dict[str, str]:
-        """The symbol of every number that is neither hidden nor absent nor said by a word, or of the unknown alone."""
+        """Return the symbols of all numbers that are stated as numbers, or of the unknown alone."""
         first = [self.parameters[path] for path in self._order]
         every = {p.path: p for p in (*first, *self.parameters.values())}.values()
         said = [p for p in every if not p.hidden and p.value is not None and not self._by_word(p.path)]
@@ -101,11 +101,11 @@ class Terms(ABC):
         return symbols(said, self.scene.bodies, self.names)
 
     def word(self, word: Word, value: Any, render: Callable[[str], str]) -> str:
-        """Return the word for a value, its template rendered."""
+        """Return the word for a value, with its template rendered."""
         return render(word.text(value))
 
     def at(self, address: str, *, start: bool = False) -> str:
-        """Return what the text has for an address: a number, a word of a body, a body, or a list of bodies."""
+        """Return the text of the value at an address: a number, a word, a body or a list of bodies."""
         if address in self.parameters:
             return self.number(address)
         owner, _, name = address.rpartition(".")
@@ -130,7 +130,7 @@ class Terms(ABC):
         return body is not None and body.told_by_word(name)
 
     def introduce(self, address: str, *, start: bool) -> str:
-        """Return a body by its name, introduced with its numbers if it was not yet mentioned."""
+        """Return the name of a body; at its first mention, its introduction with its numbers."""
         body = self.scene.bodies[address]
         if address in self.introduced:
             return self.names.mention(address, body, full=start)
@@ -169,10 +169,10 @@ class Terms(ABC):
 
 
 def _zeros_last(said: list[Parameter]) -> list[Parameter]:
-    """Numbers in their order, but for the places at the origin and the like, which would take an index of no use.
+    """Return the parameters with zero positions last, so that nonzero ones get the lowest indices.
 
-    They are told as zeros, and after the others they leave them x₁, x₂. A place with one zero keeps its turn: it has
-    one index for all its coordinates.
+    Zeros are stated as zeros and need no index. The coordinates of one position share an index, so a position with a
+    single zero keeps its place in the order.
     """
     kinds = {(p.path.rpartition(".")[0], p.measure.name) for p in said if p.value}
     return sorted(said, key=lambda p: (p.path.rpartition(".")[0], p.measure.name) not in kinds)

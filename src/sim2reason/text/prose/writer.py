@@ -1,4 +1,4 @@
-"""From a scene to its text: which wording, in which order, in whose voice."""
+"""Writer of the sentences of a scene: choice of wordings, order and voice."""
 
 from collections.abc import Collection
 from typing import Any
@@ -30,11 +30,11 @@ from sim2reason.text.prose.closings import Closing, closings
 from sim2reason.text.prose.phrases import BODIES, Names, alike, canonical, resolved, spoken, table
 from sim2reason.text.prose.voices import Terms, Voice
 
-TABLE_FROM = 3  # like bodies; two are always prose
+TABLE_FROM = 3  # similar bodies from which on they form a table
 
 
 class Writer(Terms):
-    """Renders the sentences of one scene in one voice, remembering who was introduced."""
+    """A renderer of the sentences of one scene in one voice; it keeps track of introduced bodies."""
 
     def __init__(
         self,
@@ -45,9 +45,9 @@ class Writer(Terms):
         order: tuple[str, ...] = (),
         without: Collection[Topic] = (),
     ) -> None:
-        """Nothing is introduced yet; `order` is that in which a first pass told the numbers.
+        """Prepare a text; `order` is the order in which a first pass stated the numbers.
 
-        Sentences on topics that it is `without` stay unsaid.
+        Sentences on the topics in `without` are omitted.
         """
         super().__init__(scene, names, voice, order)
         self._rng, self._without = rng, without
@@ -58,11 +58,11 @@ class Writer(Terms):
 
     @property
     def builder(self) -> Builder:
-        """Return where sites are, and which way strings must leave them."""
+        """Return the builder of the scene, with the sites of strings and their directions."""
         return self.scene.builder
 
     def sentences(self) -> list[str]:
-        """All sentences: for each string the lines of its new entities, then the string; last what holds for all."""
+        """Return all sentences: for each string its new entities and itself, then the closings."""
         told: list[str] = []
         done: set[str] = set()
         for name in self._string_order():
@@ -77,7 +77,7 @@ class Writer(Terms):
         return told
 
     def _string_order(self) -> list[str]:
-        """Connections, each after one that shares an entity with it, so that no tale begins twice."""
+        """Return the connections, each after one that shares an entity with it where possible."""
         names = {named.name for named in self.scene.entities}
         waiting = [name for name in self.scene.joints if name.split(".")[0] not in names]
         order: list[str] = []
@@ -91,7 +91,7 @@ class Writer(Terms):
         return order
 
     def _lines(self, name: str, done: set[str]) -> list[str]:
-        """Return the lines of an entity, once: its parts' first, then its own, then the connections inside it."""
+        """Return the sentences of an entity, once: of its parts, its own, of the connections inside it."""
         if name in done:
             return []
         done.add(name)
@@ -109,7 +109,7 @@ class Writer(Terms):
         return [line for saying in said for line in self._say(saying, part, address)]
 
     def _passes_over(self, saying: Saying, part: Part) -> bool:
-        """Return whether a rarely needed line is left out of the text, so that no wording is drawn for the line."""
+        """Return whether to omit a sentence that few questions need, without drawing a wording for it."""
         rare = isinstance(saying, Wordings) and saying.rare
         return rare and not self.says_line(saying, wordings(saying)[0], part)
 
@@ -134,12 +134,12 @@ class Writer(Terms):
         return [self.finish(self.render(template.replace(".*", f".{index}"), address)) for index in range(len(members))]
 
     def says_line(self, saying: Saying, template: str, part: Part) -> bool:
-        """Return whether a line is said in one of its wordings: one on several members only where there are several."""
+        """Return whether a sentence applies; one on several members needs several members."""
         several = saying.several if isinstance(saying, Wordings) else ""
         return (not several or len(getattr(part, several)) > 1) and self.is_said(template, part)
 
     def is_said(self, template: str, part: Part) -> bool:
-        """Return whether a sentence is said: not if it needs something absent, or a number that a word has told."""
+        """Return whether a sentence applies: not if it needs an absent value, or a word states its number."""
         for slot in slots(template):
             if slot.kind != "path" or "*" in slot.path:
                 continue
@@ -170,11 +170,11 @@ class Writer(Terms):
         return told
 
     def leaves_out(self, closing: Closing) -> bool:
-        """Return whether a closing stays unsaid: a start from rest, too, where the line on its place is left out."""
+        """Return whether to omit a closing; a start from rest also if the sentence on the start is omitted."""
         return closing.topic in self._without or (closing.role == "start" and "start" in self._left_out)
 
     def _as(self, role: Role, sentence: str, topic: Topic | None) -> str:
-        """Return a sentence whose role and topic are kept."""
+        """Return a sentence after recording its role and topic."""
         if topic is not None:
             self.topics.add(topic)
         if role != "fact":
@@ -182,27 +182,27 @@ class Writer(Terms):
         return sentence
 
     def choose(self, options: tuple[str, ...]) -> str:
-        """Return one of several wordings; always one draw, so that all voices stay in step."""
+        """Return a random wording; it always draws once, so that all voices use the same sequence."""
         return options[int(self._rng.random() * len(options))]
 
     def pass_over(self, options: tuple[str, ...]) -> None:
-        """A sentence that is left out; one draw all the same, so that what follows is said as it is with it."""
+        """Draw once for an omitted sentence, so that the wordings of later sentences do not change."""
         self.choose(options)
 
     def finish(self, sentence: str) -> str:
-        """Return a rendered sentence with its capital."""
+        """Return a rendered sentence with an initial capital."""
         self._finished.append(sentence[:1].upper() + sentence[1:])
         return self._finished[-1]
 
     @property
     def finished(self) -> tuple[str, ...]:
-        """All earlier sentences."""
+        """Return all earlier sentences."""
         return tuple(self._finished)
 
     def render(self, template: str, address: str, *, start: bool = True) -> str:
-        """Return a template of the entity or part at `address`, introducing bodies at their first mention.
+        """Render a template of the entity or part at `address`, introducing bodies at their first mention.
 
-        Inside a sentence it is no `start`: there a body that is known goes by its letter alone.
+        Without `start` the template is inside a sentence, where an introduced body is named by its letter alone.
         """
         text = ""
         for slot in slots(template):
@@ -224,7 +224,7 @@ class Writer(Terms):
         return self._named(slot, part, address, start=start)
 
     def _named(self, slot: Slot, part: Any, address: str, *, start: bool) -> str:
-        """Return what stands for a name in a template: a word, a choice, a number or a body."""
+        """Return the text of a name in a template: a word, a choice, a number or a body."""
         words = type(part).words if isinstance(part, Part | Connection) else {}
         if slot.path in words:
             word = words[slot.path]

@@ -1,4 +1,4 @@
-"""Corpora: where prompts with completions to learn from come from. One file each.
+"""Corpora: sources of prompts with completions for fine-tuning, one module each.
 
 Corpus (settings) ↦ Row (prompt, completion) ── parts.mix ── parts.encoding ── a trainer of supervised fine-tuning
 """
@@ -23,7 +23,7 @@ MOST_WEIGHT = 1000.0
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """What is asked, and what a model shall learn to say; plain texts, which a chat template may surround."""
+    """A prompt and the completion to learn, as plain texts, to which a chat template may be applied."""
 
     prompt: str
     completion: str
@@ -34,7 +34,7 @@ class Row:
 
 
 class Corpus(BaseModel, ABC):
-    """Rows with their settings; each subclass is a kind that a configuration names."""
+    """A source of rows with its settings; each subclass is a kind that a configuration names."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
@@ -47,11 +47,11 @@ class Corpus(BaseModel, ABC):
     """Settings that change no row."""
 
     def check(self) -> None:
-        """Look whether what it reads is there, before anything is made; it raises what `rows` does."""
+        """Check before a run that the input of the corpus exists; it raises the errors of `rows`."""
 
     @abstractmethod
     def rows(self, left_out: Counter[str]) -> Iterator[Row]:
-        """Return all rows in order, the same each time; those that cannot be rows are counted by their reason.
+        """Yield all rows in a fixed order; omitted ones are counted by reason in `left_out`.
 
         Raises:
             TrainingError: a file that is missing, damaged, or holds something else.
@@ -63,7 +63,7 @@ CORPORA: Registry[type[Corpus]] = Registry("training.corpora")
 
 
 def corpus_from(settings: Mapping[str, object], place: str = "corpus") -> Corpus:
-    """Return the corpus that settings describe; its `kind` is a registered name.
+    """Return the corpus described by settings; `kind` is its registered name.
 
     Raises:
         TrainingError: a setting that is unknown, missing or makes no sense.

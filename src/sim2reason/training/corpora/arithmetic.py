@@ -1,4 +1,4 @@
-"""Corpora of arithmetic and of drills."""
+"""Corpora of arithmetic solutions and of drills."""
 
 from collections import Counter
 from collections.abc import Callable, Iterator
@@ -26,7 +26,7 @@ Share = Annotated[float, Ge(0.0), Le(1.0)]
 
 @CORPORA.register("arithmetic")
 class Arithmetic(Corpus):
-    """Solutions as arithmetic of problems drawn from a seed; where slips are asked for, of mixed quality."""
+    """Arithmetic solutions of problems generated from a seed, optionally with planted errors."""
 
     problems: Fresh
     """What is drawn, as a source of prompts has it; of another seed than those that are trained or evaluated on."""
@@ -51,11 +51,11 @@ class Arithmetic(Corpus):
         return value
 
     def rows(self, left_out: Counter[str]) -> Iterator[Row]:
-        """Return those of the problems in their order; one whose solution is no arithmetic is left out."""
+        """Yield the rows of the problems in order, without those whose solution is not arithmetic."""
         return drawn_rows(self.problems, self.rows_of, self.items, self.workers, left_out, "no arithmetic")
 
     def rows_of(self, request: Request) -> list[Row] | None:
-        """Of one problem; None where there is no such problem."""
+        """Return the rows of one problem; None if there is no such problem."""
         certified = ItemSearch(request).found()
         if certified is None:
             return None
@@ -76,7 +76,7 @@ class Arithmetic(Corpus):
 
 
 def _answer(text: str) -> str:
-    """Return what stands in the box."""
+    """Return the content of the box."""
     return text.rpartition("\n")[2]
 
 
@@ -86,7 +86,7 @@ SHARES = {"*": 0.5, "+": 0.1, "-": 0.1, "/": 0.3}
 
 @CORPORA.register("drills")
 class Drills(Corpus):
-    """Operations with three-digit results, as solutions written as arithmetic have them; no problem comes before."""
+    """Single operations with three-digit results, written as in arithmetic solutions, without a problem."""
 
     seed: Annotated[int, Ge(0)] = 0
     items: Annotated[int, Ge(1), Le(10**7)] = 10_000
@@ -94,7 +94,7 @@ class Drills(Corpus):
     """In one row."""
 
     def rows(self, left_out: Counter[str]) -> Iterator[Row]:
-        """Yield all of them."""
+        """Yield all rows."""
         del left_out
         rng = generator("drills", self.seed)
         for _ in range(self.items):
@@ -102,7 +102,7 @@ class Drills(Corpus):
 
 
 def _operation(rng: np.random.Generator) -> str:
-    """Return one operation on numbers about one, as mechanics in the units of the SI has them."""
+    """Return one random operation on numbers of the magnitudes usual in mechanics in SI units."""
     sign = str(rng.choice(list(SHARES), p=list(SHARES.values())))
     first = float(plain_number(10.0 ** rng.uniform(-0.8, 1.0)))
     second = float(f"{10.0 ** rng.uniform(-1.2, 1.0):.{2 if sign == '*' else 3}g}")

@@ -27,24 +27,24 @@ class JsonLines(Corpus):
     """The name of that with the completion."""
 
     def rows(self, left_out: Counter[str]) -> Iterator[Row]:
-        """Return those of the file."""
+        """Yield the rows of the file."""
         del left_out
         return rows_in(self.file, self.prompt, self.completion)
 
     def check(self) -> None:
-        """Read all rows that are asked for."""
+        """Read all requested rows."""
         if not sum(1 for _ in islice(self.rows(Counter()), self.limit)):
             raise TrainingError(f"{self.file}: holds no row")
 
 
 @CORPORA.register("sampled")
 class SampledSolutions(Corpus):
-    """Responses of a policy that were graded as right."""
+    """Responses of a policy that were graded as correct."""
 
     folder: Path
 
     def rows(self, left_out: Counter[str]) -> Iterator[Row]:
-        """Return those of the folder, whose hash is checked."""
+        """Yield the rows of the folder after checking its hash."""
         del left_out
         try:
             found = Sampled.model_validate_json((self.folder / RESULT).read_bytes())
@@ -59,5 +59,5 @@ class SampledSolutions(Corpus):
         return rows_in(self.folder / SOLUTIONS)
 
     def check(self) -> None:
-        """Look at the folder and its hash."""
+        """Check the folder and its hash."""
         self.rows(Counter())

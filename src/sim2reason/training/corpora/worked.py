@@ -1,4 +1,4 @@
-"""Our own worked solutions: those of a dataset, or of problems drawn from a seed."""
+"""Corpora of the library's worked solutions, from a dataset or generated from a seed."""
 
 from collections import Counter
 from collections.abc import Iterator
@@ -26,7 +26,7 @@ UNSOLVED = "no worked solution"
 
 @CORPORA.register("worked")
 class Worked(Corpus):
-    """Worked solutions of ours, each with its answer in a box: a dataset with them, or drawn from a seed."""
+    """Worked solutions with boxed answers, from a dataset or generated from a seed."""
 
     dataset: Path | None = None
     """A folder that ``sim2reason generate --solutions`` has finished; else problems are drawn."""
@@ -50,7 +50,7 @@ class Worked(Corpus):
         return self
 
     def rows(self, left_out: Counter[str]) -> Iterator[Row]:
-        """In the dataset's order, or in that of the draws; a problem without a solution is left out."""
+        """Yield the rows in the order of the dataset or of generation, without unsolved problems."""
         if self.problems is not None:
             yield from drawn_rows(self.problems, self.rows_of, self.items, self.workers, left_out, UNSOLVED)
             return
@@ -66,7 +66,7 @@ class Worked(Corpus):
             self._items()
 
     def rows_of(self, request: Request) -> list[Row] | None:
-        """Of one problem; None where there is no such problem."""
+        """Return the rows of one problem; None if there is no such problem."""
         certified = ItemSearch(request).found()
         if certified is None:
             return None

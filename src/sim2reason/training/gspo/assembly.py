@@ -1,4 +1,4 @@
-"""A trainer from settings."""
+"""Construction of a GSPO trainer from settings."""
 
 # torch, trl, peft and transformers are an extra and ship no types to an environment without them:
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
@@ -29,13 +29,13 @@ def make_trainer(
     *,
     weights: Sequence[float] | None = None,
 ) -> "GSPOTrainer":
-    """Return a trainer of a checkpoint, given as such or by its folder or name, or of a causal language model itself.
+    """Return a trainer of a checkpoint (object, folder or name) or of a causal language model.
 
-    It writes into the folder `out`. Rewards are functions as TRL calls them, ``reward(prompts, completions,
-    **columns)``, which give a number or None for each completion; what is learned from is their sum, with `weights` if
-    there are any. ``trainer.train()`` trains, and ``trainer.train(resume_from_checkpoint=True)`` goes on after a kill:
-    `model` is then the same as at the beginning, since the KL divergence is to it. All processes of ``accelerate
-    launch`` or ``torchrun`` call this alike, and only the first one reads the stream.
+    It writes into the folder `out`. Rewards are functions in TRL's form, ``reward(prompts, completions, **columns)``,
+    which return a number or None for each completion; the training signal is their sum, with optional `weights`.
+    ``trainer.train()`` trains, and ``trainer.train(resume_from_checkpoint=True)`` resumes after a kill; `model` must
+    then be the original one, the reference of the KL divergence. All processes of ``accelerate launch`` or ``torchrun``
+    make the same call, and only the first one reads the stream.
 
     Raises:
         MissingExtraError: the libraries of the extra [train] are not installed.
@@ -56,7 +56,7 @@ def make_trainer(
 
 
 def _arguments(settings: GSPOSettings, out: Path, weights: Sequence[float] | None) -> Any:  # noqa: ANN401 - TRL's own
-    """TRL's configuration."""
+    """Return TRL's configuration."""
     cpu = not library("torch").accelerator.is_available()  # or accelerate would leave two processes unconnected
     processes = int(library("accelerate").PartialState(cpu=cpu).num_processes)
     micro, accumulation = settings.shares(processes)
@@ -77,7 +77,7 @@ def _arguments(settings: GSPOSettings, out: Path, weights: Sequence[float] | Non
 
 
 def _weights(settings: GSPOSettings) -> dict[str, Any]:
-    """Of what precision they are, unless the model's own settings say so."""
+    """Return the precision settings of the weights, unless the model's settings state it."""
     frozen = settings.precision == "bfloat16" and settings.lora  # below adapters they need no float32
     return {"dtype": "bfloat16" if frozen else "float32"}
 
@@ -118,7 +118,7 @@ def _updates(settings: GSPOSettings, micro: int, accumulation: int) -> dict[str,
 
 
 def _rollouts(settings: GSPOSettings) -> dict[str, Any]:
-    """Return how completions are made."""
+    """Return the generation settings of completions."""
     found: dict[str, Any] = {
         "num_generations": settings.generations,
         "max_completion_length": settings.max_completion_tokens,
@@ -141,7 +141,7 @@ def _rollouts(settings: GSPOSettings) -> dict[str, Any]:
 
 
 def _prepare(model: Any, folder: Path, args: Any) -> None:  # noqa: ANN401 - transformers' own
-    """Make a model in memory float32, and save it as the run begins: TRL loads its reference by path."""
+    """Convert a model in memory to float32, and save it, since TRL loads its reference by path."""
     model.float()
     if not args.beta:
         return

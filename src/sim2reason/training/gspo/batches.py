@@ -1,4 +1,4 @@
-"""Groups cut out of what TRL keeps for a round of completions, and joined into the batch of a step."""
+"""Groups extracted from a round of completions in TRL, and merged into the batch of a step."""
 
 # torch is an extra and ships no types to an environment without it:
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
@@ -23,12 +23,12 @@ COMPLETION = {  # (completions, tokens), padded on the right
     "ref_per_token_logps",
     "sampling_per_token_logps",
 }
-ROW = {"advantages", "importance_sampling_ratio"}  # one number for each completion
-BATCH = {"num_items_in_batch"}  # one number for all, counted anew
+ROW = {"advantages", "importance_sampling_ratio"}  # one number per completion
+BATCH = {"num_items_in_batch"}  # one number for the batch, computed again
 
 
 def cut(output: dict[str, Tensor], number: int, generations: int) -> Group:
-    """Return the `number`-th group of this process, out of what TRL keeps for a round.
+    """Return the `number`-th group of this process from TRL's output of a round.
 
     Raises:
         TrainingError: TRL keeps something that `join` could not put together, such as pictures.
@@ -47,7 +47,7 @@ def cut(output: dict[str, Tensor], number: int, generations: int) -> Group:
 
 
 def filler(size: int, token: int, device: object) -> Group:
-    """Return a group that stands where none could be had: one token of prompt, and a completion that no loss counts."""
+    """Return a placeholder group: one token of prompt, and a completion excluded from the loss."""
     torch = library("torch")
     ids = torch.full((size, 1), token, device=device)
     nothing = torch.zeros(size, 1, device=device)
@@ -58,7 +58,7 @@ def filler(size: int, token: int, device: object) -> Group:
 
 
 def join(groups: Sequence[Group], token: int) -> dict[str, Tensor]:
-    """Return one batch of groups, padded anew to the longest prompt and completion; `token` pads what are ids."""
+    """Return one batch of groups, padded to the longest prompt and completion with `token`."""
     torch = library("torch")
     batch: dict[str, Tensor] = {}
     for name in sorted(set[str](groups[0]).intersection(*groups)):  # fillers have all names, groups what TRL needs
@@ -77,5 +77,5 @@ def _padded(part: Tensor, width: int, fill: int, *, left: bool) -> Tensor:
 
 
 def moved(group: Group, device: object) -> Group:
-    """Return the same group on another device."""
+    """Return the group on another device."""
     return {name: held.to(device) for name, held in group.items()}

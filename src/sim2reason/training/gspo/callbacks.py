@@ -1,4 +1,4 @@
-"""What happens beside the updates of a step that could not be filled."""
+"""Callbacks of the trainer between updates, for incomplete batches and the end of the stream."""
 
 # transformers is an extra and ships no types to an environment without it:
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUntypedBaseClass=false
@@ -11,20 +11,20 @@ __all__ = ["BetweenUpdates"]
 
 
 class BetweenUpdates(library("transformers").TrainerCallback):
-    """Called by transformers' loop for a `GSPOTrainer`."""
+    """Callbacks of transformers' training loop for a `GSPOTrainer`."""
 
     def __init__(self, trainer: Any) -> None:  # noqa: ANN401 - ours, which imports this module
-        """The trainer says whether its step is short, and whether its stream is exhausted."""
+        """Store the trainer, whose state tells short steps and an exhausted stream."""
         self.trainer = trainer
 
     def on_pre_optimizer_step(self, *_: object, **__: object) -> None:
-        """Leave weights alone that have no gradient: momentum and decay would move them still."""
+        """Skip weights without gradients, which momentum and decay would otherwise change."""
         if self.trainer.short:
             for weights in self.trainer.model.parameters():
                 if weights.grad is not None and not weights.grad.any():
                     weights.grad = None
 
     def on_step_end(self, _: object, state: Any, control: Any, **__: object) -> None:  # noqa: ANN401 - transformers' own
-        """End the run with the step in which the stream ended."""
+        """Stop the run after the step in which the stream ended."""
         if self.trainer.exhausted and state.global_step % self.trainer.settings.minibatches == 0:
             control.should_training_stop = control.should_save = True

@@ -1,4 +1,4 @@
-"""What a checkpoint needs beyond transformers': the cursor of the prompts, which also says that it is whole."""
+"""Checkpoints of a run: the cursor of the prompt stream, whose file marks a checkpoint as complete."""
 
 import shutil
 from pathlib import Path
@@ -14,7 +14,7 @@ NAME = "cursor.json"
 
 
 class Cursor(BaseModel):
-    """Where a run stands between two steps."""
+    """The state of a run between two steps."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
@@ -26,17 +26,17 @@ class Cursor(BaseModel):
 
 
 def folder_of(out: Path, updates: int) -> Path:
-    """As transformers names it."""
+    """Return the folder of a checkpoint, named as transformers does."""
     return out / f"checkpoint-{updates}"
 
 
 def unmark(folder: Path) -> None:
-    """Before anything is written to a checkpoint of this name."""
+    """Remove the completion mark before a checkpoint is overwritten."""
     (folder / NAME).unlink(missing_ok=True)
 
 
 def mark(folder: Path, cursor: Cursor) -> None:
-    """After all else was written."""
+    """Write the cursor, which marks a checkpoint as complete."""
     put_text(folder / NAME, cursor.model_dump_json() + "\n", folder)
 
 
@@ -56,14 +56,14 @@ def read_cursor(folder: Path) -> Cursor:
 
 
 def last_checkpoint(out: Path) -> Path | None:
-    """Return the newest whole checkpoint of a run, or None. One that a kill left half written is passed over."""
+    """Return the newest complete checkpoint of a run, or None; incomplete ones are skipped."""
     return max((path for path in _folders(out) if (path / NAME).is_file()), key=_updates, default=None)
 
 
 def clear_behind(out: Path, cursor: Cursor | None) -> None:
-    """Make room for what a run will save that goes on from a cursor, or begins.
+    """Remove incomplete checkpoints later than the cursor; complete ones are an error.
 
-    Folders that a kill left half written are removed, since transformers keeps those of the highest numbers.
+    Transformers would keep them, since it keeps the checkpoints of the highest numbers.
 
     Raises:
         TrainingError: there are whole checkpoints of a run that got further.

@@ -1,4 +1,4 @@
-"""Completions of the model in training, and their log-probabilities."""
+"""Completions of the model during training, and their log-probabilities."""
 
 from collections.abc import Sequence
 from copy import deepcopy
@@ -18,9 +18,9 @@ Tensor: TypeAlias = Any
 
 
 def score(trainer: Any, batch: dict[str, Tensor]) -> None:  # noqa: ANN401 - ours, which imports this module
-    """Add the log-probabilities of completions under the policy that wrote them, and under the reference.
+    """Add the log-probabilities of completions under the generating policy and the reference.
 
-    TRL computes them for all that is answered; here it is known which groups stay.
+    TRL computes them for all completions; here the selection of groups is already known.
     """
     torch, model = library("torch"), trainer.model
     ids, mask = (torch.cat([batch[f"prompt_{each}"], batch[f"completion_{each}"]], dim=1) for each in ("ids", "mask"))
@@ -42,18 +42,18 @@ def score(trainer: Any, batch: dict[str, Tensor]) -> None:  # noqa: ANN401 - our
 
 
 class Rollouts:
-    """Those of a trainer."""
+    """The generator of completions for a trainer."""
 
     def __init__(self, trainer: Any) -> None:  # noqa: ANN401 - of TRL
-        """For a trainer of TRL, which is set up; PolicyError if its model's passes cannot be recorded."""
+        """Store an initialised TRL trainer; PolicyError if its model's passes cannot be recorded."""
         check_recordable(trainer.model.config)
         self._trainer = trainer
 
     @cached_property
     def _models(self) -> tuple[Any, Any]:
-        """The model that is trained, and the one that answers: a copy in bfloat16, if that is what is computed in.
+        """Return the trained model, and the generating one: a bfloat16 copy if that is the computing type.
 
-        Autocasting instead would write keys and values of two types, and cast all weights anew for each token.
+        Autocasting instead would produce keys and values of two types, and cast all weights for each token.
         """
         trained = self._trainer.accelerator.unwrap_model(self._trainer.model)
         if not self._trainer.args.bf16:
@@ -68,7 +68,7 @@ class Rollouts:
         return Decoder(self._models[1])
 
     def __call__(self, prompts: Sequence[Sequence[int]]) -> list[list[int]]:
-        """Return the tokens of a completion for each prompt, the one that ends it included."""
+        """Return the tokens of a completion for each prompt, including the end token."""
         torch, trainer = library("torch"), self._trainer
         self._refresh()
         width, pad = max(map(len, prompts)), trainer._tokenizer.pad_token_id  # noqa: SLF001 - TRL's own
@@ -80,7 +80,7 @@ class Rollouts:
         return [_cut(tokens, ends) for tokens in found]
 
     def _refresh(self) -> None:
-        """Give the model that answers the weights of the one that is trained."""
+        """Copy the trained weights to the generating model."""
         trained, answering = self._models
         if answering is not trained:
             with library("torch").no_grad():
@@ -88,12 +88,12 @@ class Rollouts:
                     mine.copy_(theirs)
 
     def _sampled(self, logits: Tensor) -> Tensor:
-        """A token of each row: of independent exponential times at these rates the shortest is a draw from them."""
+        """Return a sampled token per row, by the smallest of exponential variables with these rates."""
         rates = (logits / self._trainer.temperature).softmax(dim=1)
         return (rates / library("torch").empty_like(rates).exponential_()).argmax(dim=1)
 
 
 def _cut(tokens: list[int], ends: frozenset[int]) -> list[int]:
-    """Up to the first end."""
+    """Return the tokens up to the first end token."""
     end = next((place for place, token in enumerate(tokens) if token in ends), len(tokens))
     return tokens[: end + 1]

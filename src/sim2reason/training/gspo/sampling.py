@@ -1,4 +1,4 @@
-"""Dynamic sampling of groups with unequal rewards (DAPO, Yu et al. 2025), and measures of a step."""
+"""Dynamic sampling of groups with unequal rewards (DAPO, Yu et al. 2025), and metrics of a step."""
 
 from collections.abc import Callable, Generator, Mapping, MutableMapping, Sequence
 from contextlib import contextmanager
@@ -19,7 +19,7 @@ EQUAL = 1e-6  # rewards that differ by less are equal: float32 means of equal re
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Which of how many processes this is."""
+    """The rank of this process and the number of processes."""
 
     rank: int = 0
     world: int = 1
@@ -27,7 +27,7 @@ class Place:
 
 @dataclass(frozen=True, slots=True)
 class Answered:
-    """A round of completions."""
+    """A round of completions with their rewards."""
 
     rewards: Sequence[Sequence[float]]
     """Of each prompt of all processes, in the order of the prompts; NaN where nothing could be scored."""
@@ -36,24 +36,24 @@ class Answered:
 
 
 class Sampler(Protocol):
-    """What a trainer can do."""
+    """The methods of a trainer that dynamic sampling needs."""
 
     def draw(self, count: int) -> Drawn:
-        """Return the next `count` prompts; the same on all processes."""
+        """Return the next `count` prompts, the same in all processes."""
         ...
 
     def answer(self, rows: Sequence[Row]) -> Answered:
-        """Completions of the prompts of this process, and the rewards of all processes."""
+        """Return completions of this process's prompts, and the rewards of all processes."""
         ...
 
     def observe(self, row: Row, rewards: Sequence[float]) -> None:
-        """Take note of the rewards of a prompt, be its group learned from or not."""
+        """Report the rewards of a prompt to the curriculum, whether its group is used or not."""
         ...
 
 
 @dataclass
 class Filled:
-    """A step's groups, and what it took to find them."""
+    """The groups of a step, and the statistics of its rounds."""
 
     owners: list[int] = field(default_factory=list[int])
     """Of each good group of all processes, the process that answered it; in the order of the prompts."""
@@ -70,19 +70,19 @@ class Filled:
 
     @property
     def answered(self) -> int:
-        """Prompts, of all rounds."""
+        """Return the number of prompts answered in all rounds."""
         return sum(self.sizes)
 
 
 def fill(sampler: Sampler, place: Place, wanted: int, rounds: int, first: int = 0) -> Filled:
-    """As many good groups as wanted, over all processes, or as many as `rounds` rounds and the stream give.
+    """Return as many useful groups as wanted over all processes, or as `rounds` and the stream allow.
 
     The first round answers `first` prompts, at least as many as groups are wanted.
 
-    Good groups beyond those wanted are dropped, the last prompts first, so that which are learned from doesn't depend
-    on how long they took. To keep them for the next step would be wrong: they come from the policy before this step's
-    updates, and would be learned up to twice as many updates late as other completions, at ratios that are clipped.
-    Rounds after the first are therefore no larger than the shares of good groups so far make it likely to need.
+    Surplus useful groups are dropped, the last prompts first, so that the selection does not depend on their durations.
+    They are not kept for the next step: they come from the policy before this step's updates, and would be trained on
+    up to twice as many updates late as other completions, with clipped ratios. Later rounds are therefore no larger
+    than the fraction of useful groups so far suggests.
     """
     filled = Filled()
     while len(filled.owners) < wanted and len(filled.sizes) < rounds and not filled.exhausted:
@@ -95,7 +95,7 @@ def fill(sampler: Sampler, place: Place, wanted: int, rounds: int, first: int = 
 
 
 def round_size(wanted: int, filled: Filled, world: int, first: int = 0) -> int:
-    """How many prompts the next round draws, a multiple of the processes'; after the first at most a whole step's."""
+    """Return the number of prompts in the next round, a multiple of the number of processes."""
     if not filled.sizes:
         return ceil(max(first, wanted) / world) * world
     missing = wanted - len(filled.owners)
@@ -104,9 +104,9 @@ def round_size(wanted: int, filled: Filled, world: int, first: int = 0) -> int:
 
 
 def _add_round(filled: Filled, sampler: Sampler, place: Place, rows: list[Row], wanted: int) -> None:
-    """Answer prompts, and keep the good groups that there is room for.
+    """Answer prompts, and keep useful groups while there is room.
 
-    Where a stream ends, some are answered twice so that no process waits for another; only the first time counts.
+    At the end of a stream some prompts are answered twice so that no process waits; only the first time counts.
     """
     each = ceil(len(rows) / place.world)
     even = [rows[number % len(rows)] for number in range(each * place.world)]
@@ -127,12 +127,12 @@ def _add_round(filled: Filled, sampler: Sampler, place: Place, rows: list[Row], 
 
 
 def spread(rewards: Sequence[float]) -> bool:
-    """Return whether the standard deviation of rewards is more than rounding."""
+    """Return whether the standard deviation of rewards exceeds rounding errors."""
     return bool(rewards) and max(rewards) - min(rewards) > EQUAL
 
 
 def balance(owners: Sequence[int], world: int) -> list[int]:
-    """Return which process learns each group, so that all have equally many, or one more; most stay where they are."""
+    """Return the process that trains on each group, in nearly equal numbers with few transfers."""
     shares = [len(owners) // world + (rank < len(owners) % world) for rank in range(world)]
     left, homeless, places = list(shares), list[int](), list(owners)
     for number, owner in enumerate(owners):
@@ -148,7 +148,7 @@ def balance(owners: Sequence[int], world: int) -> list[int]:
 
 Part = Literal["generation", "reward", "drawing", "logprobs"]
 
-NAMES = {  # of TRL, by ours
+NAMES = {  # of TRL's metrics, by the library's names
     "completion_tokens": "completions/mean_length",
     "truncated": "completions/clipped_ratio",
     "kl": "kl",
@@ -163,7 +163,7 @@ NAMES = {  # of TRL, by ours
 
 @dataclass
 class Meter:
-    """Of the step at hand."""
+    """The timings and metrics of the current step."""
 
     parts: dict[Part, float] = field(default_factory=dict[Part, float])
     """Seconds."""
@@ -175,12 +175,12 @@ class Meter:
     _updating: float = 0.0
 
     def begin(self) -> None:
-        """Start a step."""
+        """Start the measurement of a step."""
         self.parts, self.grad_norms, self._began = {}, [], perf_counter()
 
     @contextmanager
     def time(self, part: Part) -> Generator[None]:
-        """Add what the block takes."""
+        """Add the duration of the block to a part of the step."""
         start = perf_counter()
         try:
             yield
@@ -188,15 +188,15 @@ class Meter:
             self.parts[part] = self.parts.get(part, 0.0) + perf_counter() - start
 
     def update(self, filled: Filled) -> None:
-        """From here on a filled batch is learned."""
+        """Record a filled batch, whose update begins now."""
         self.filled, self._updating = filled, perf_counter()
 
     def made(self, cpu_seconds: float) -> None:
-        """So much have other processes spent on problems by now."""
+        """Record the CPU time that other processes have spent on problems."""
         self._problems, self._made = cpu_seconds - self._made, cpu_seconds
 
     def flat(self) -> dict[str, float]:
-        """Numbers for TRL's log; its own has the rest."""
+        """Return metrics for TRL's log in addition to its own."""
         filled, rewards = self.filled, self.filled.rewards
         found: dict[str, float] = {
             "rounds": len(filled.sizes),
@@ -218,7 +218,7 @@ class Meter:
         return StepSeconds(step=now - self._began, update=update, problems=self._problems, **spent)
 
     def record(self, logged: Mapping[str, float | None], *, step: int, updates: int, consumed: int) -> StepRecord:
-        """Return the line of a step whose numbers were logged.
+        """Return the log record of a step.
 
         Raises:
             TrainingError: one of them is not finite.
@@ -249,9 +249,10 @@ def _mean(values: Sequence[float]) -> float:
 
 
 def collapse(metrics: MutableMapping[str, list[float]], before: Mapping[str, int], sizes: Sequence[int]) -> None:
-    """Make one entry of those that TRL's metrics got in the rounds of a step, which it would weigh alike.
+    """Merge the entries of TRL's metrics from the rounds of a step, weighted by prompts.
 
-    `sizes` are the prompts of each round; `before` says how many entries a metric had.
+    `sizes` are the prompts of each round; `before` is the number of earlier entries of each metric. TRL would weight
+    rounds equally.
     """
     for name, held in metrics.items():
         start = before.get(name, 0)

@@ -1,4 +1,4 @@
-"""What is told of each step of a run."""
+"""Log of the steps of a run."""
 
 from pathlib import Path
 
@@ -12,15 +12,15 @@ NAME = "log.jsonl"
 
 
 class _Record(BaseModel):
-    """What all records on disk share: frozen, and no field that we do not know."""
+    """The base of records on disk: frozen, without unknown fields."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
 
 class StepSeconds(_Record):
-    """Wall time of one step, on the first process; only `problems` is the work of others beside it.
+    """The wall time of one step in the first process; `problems` is CPU time of other processes.
 
-    What is left of `step` is the sorting of groups and messages.
+    The remainder of `step` is spent on the selection of groups and communication.
     """
 
     step: FiniteFloat
@@ -37,7 +37,7 @@ class StepSeconds(_Record):
 
 
 class StepRecord(_Record):
-    """One step. Shares are of 1; rewards, lengths and rates are of all completions, also of groups left out."""
+    """The log record of one step; fractions are relative to 1 and include omitted groups."""
 
     step: int
     updates: int
@@ -72,18 +72,18 @@ class StepRecord(_Record):
 
 
 class StepLog:
-    """The file of a run."""
+    """The log file of a run."""
 
     def __init__(self, folder: Path) -> None:
-        """It stands in the folder of the run."""
+        """Locate the file in the folder of the run."""
         self._lines = StepLines(folder / NAME)
 
     def rewind(self, step: int) -> None:
-        """Forget what came after a step: the run goes on from there."""
+        """Remove the steps after a given one, from which the run continues."""
         self._lines.rewind(step)
 
     def add(self, record: StepRecord) -> None:
-        """Write a step; it is on disk when this returns."""
+        """Write a step and sync it to disk."""
         self._lines.add(record.model_dump_json())
 
     def read(self) -> list[StepRecord]:

@@ -1,6 +1,6 @@
-"""TRL's GRPO trainer, with prompts from a stream, dynamic sampling, a cursor in each checkpoint and a log of steps.
+"""TRL's GRPO trainer with a prompt stream, dynamic sampling, cursors in checkpoints and a step log.
 
-It overrides private methods of TRL 1.16, and refuses another minor version.
+It overrides private methods of TRL 1.16, and refuses other minor versions.
 """
 
 # torch, trl and transformers are an extra and ship no types to an environment without them:
@@ -47,10 +47,10 @@ if trl.__version__.split(".")[:2] != SUPPORTED.split("."):
 
 
 class GSPOTrainer(trl.GRPOTrainer):
-    """TRL's trainer on prompts of a stream. `make_trainer` assembles it."""
+    """TRL's trainer for prompts of a stream; `make_trainer` constructs it."""
 
     def __init__(self, stream: PromptStream, settings: GSPOSettings, **given: Any) -> None:  # noqa: ANN401 - TRL's own
-        """Take what TRL's trainer takes, but no data: a placeholder of one step's length drives its loop."""
+        """Initialise TRL's trainer with a placeholder dataset of one step's length."""
         self.stream, self.settings = stream, settings
         self.prompts_consumed = 0
         self._meter = Meter()
@@ -65,16 +65,16 @@ class GSPOTrainer(trl.GRPOTrainer):
 
     @property
     def place(self) -> Place:
-        """Return which process this is."""
+        """Return the rank of this process and the number of processes."""
         return Place(self.accelerator.process_index, self.accelerator.num_processes)
 
     def _send_telemetry(self) -> None:
-        """Nothing is sent anywhere."""
+        """Send nothing."""
 
     # drawing and answering
 
     def _generate_and_score_completions(self, inputs: list[Row]) -> dict[str, Tensor]:
-        """Return the batch of a step, filled from the stream; what the loop brings is a placeholder."""
+        """Return the batch of a step, filled from the stream; `inputs` are placeholders."""
         if not self.model.training:
             return super()._generate_and_score_completions(inputs)
         self._meter.begin()
@@ -91,9 +91,10 @@ class GSPOTrainer(trl.GRPOTrainer):
         return batch
 
     def draw(self, count: int) -> Drawn:
-        """Return the next prompts, read by the first process for all: there is one cursor, and nothing is read ahead.
+        """Return the next prompts, which the first process reads for all.
 
-        All processes get all rows and take their slices; so prompts are used in the stream's order by any number.
+        All processes receive all rows and take their slices, so that prompts are used in the stream's order with any
+        number of processes.
         """
         with self._meter.time("drawing"):
             drawn: Any = None
@@ -112,7 +113,7 @@ class GSPOTrainer(trl.GRPOTrainer):
         return said[0]
 
     def observe(self, row: Row, rewards: Sequence[float]) -> None:
-        """Tell the stream, which the first process alone reads."""
+        """Report rewards to the stream, in the first process only."""
         if self.accelerator.is_main_process:
             self.stream.observe(row, rewards)
 
@@ -121,7 +122,7 @@ class GSPOTrainer(trl.GRPOTrainer):
         return len(self._tokenize_prompts([row["prompt"]])[0][0]) <= self.settings.max_prompt_tokens
 
     def answer(self, rows: Sequence[Row]) -> Answered:
-        """Let TRL answer and score the prompts of this process."""
+        """Generate and score completions of this process's prompts with TRL."""
         size = self.settings.generations
         self._later = self._defers
         try:
@@ -136,10 +137,10 @@ class GSPOTrainer(trl.GRPOTrainer):
         return Answered(total.view(-1, size).tolist(), lambda number: cut(output, number, size))
 
     def _batch(self, filled: Filled) -> dict[str, Tensor]:
-        """What TRL would keep for a batch of these groups, equally many on each process, filled up if they are few.
+        """Return the batch of these groups, equally many on each process, with placeholders if necessary.
 
-        Fillers have no completion to learn from. The loss is a mean over completions, so it is scaled to be one over
-        those that are learned; the fillers' share is the same for all minibatches, as if all were drawn together.
+        Placeholders have no completion to train on. The loss is a mean over completions, so it is scaled to a mean over
+        the real ones; all minibatches have the same fraction of placeholders.
         """
         token = self._tokenizer.pad_token_id
         wanted, found = self.settings.prompts, len(filled.owners)
@@ -157,7 +158,7 @@ class GSPOTrainer(trl.GRPOTrainer):
         return batch
 
     def _exchanged(self, filled: Filled) -> list[Group]:
-        """The groups that this process learns, in the order of their prompts; those it has too many of go to others."""
+        """Return the groups that this process trains on, in order, after exchange with other processes."""
         places, rank = balance(filled.owners, self.place.world), self.place.rank
         groups = {number: group for number, group in filled.own.items() if places[number] == rank}
         if places != filled.owners:
@@ -168,7 +169,7 @@ class GSPOTrainer(trl.GRPOTrainer):
         return [groups[number] for number in sorted(groups)]
 
     def _warn_short(self, filled: Filled) -> None:
-        """Say what a step that could not be filled does."""
+        """Warn of a step with too few groups."""
         if self.accelerator.is_main_process:
             why = "the stream of prompts has ended" if filled.exhausted else f"{len(filled.sizes)} rounds are used up"
             found = len(filled.owners)
@@ -178,7 +179,7 @@ class GSPOTrainer(trl.GRPOTrainer):
 
     @property
     def _step_now(self) -> int:
-        """Finished steps."""
+        """Return the number of finished steps."""
         return self.state.global_step // self.settings.minibatches
 
     # what TRL does, timed
@@ -188,13 +189,13 @@ class GSPOTrainer(trl.GRPOTrainer):
             return super()._generate(prompts)
 
     def _generate_single_turn(self, prompt_ids: list[list[int]], *given: Any, **named: Any) -> Any:  # noqa: ANN401 - TRL's own
-        """Tokens of completions, and None for log-probabilities, as TRL gives them."""
+        """Return the tokens of completions, and None for log-probabilities, in TRL's format."""
         if self._rollouts is None:
             return super()._generate_single_turn(prompt_ids, *given, **named)
         return self._rollouts(prompt_ids), None
 
     def _calculate_rewards(self, *given: Any) -> Tensor:  # noqa: ANN401 - TRL's own
-        """The rewards of all processes, (completions, functions), NaN for None; kept for the choice of groups."""
+        """Return the rewards of all processes, (completions, functions), with NaN for None."""
         with self._meter.time("reward"):
             self._answered = super()._calculate_rewards(*given)
         return self._answered
@@ -209,14 +210,14 @@ class GSPOTrainer(trl.GRPOTrainer):
             return super()._get_per_token_logps_and_entropies(model, input_ids, *given, **named)
 
     def logps(self, *given: Any) -> Tensor:  # noqa: ANN401 - TRL's own
-        """Log-probabilities of the tokens of completions, zero behind their ends."""
+        """Return the log-probabilities of completion tokens, zero after their ends."""
         return self._get_per_token_logps_and_entropies(*given)[0]
 
     @property
     def _defers(self) -> bool:
-        """Whether log-probabilities can wait until it is known which groups stay, instead of being computed for all.
+        """Return whether log-probabilities can be computed after groups are selected, instead of for all.
 
-        TRL needs them at once where it corrects for vLLM's rounding.
+        TRL needs them immediately to correct for vLLM's rounding.
         """
         return not (self.use_vllm and self.vllm_importance_sampling_correction)
 
@@ -238,7 +239,7 @@ class GSPOTrainer(trl.GRPOTrainer):
     # logs and checkpoints
 
     def log(self, logs: dict[str, float], start_time: float | None = None) -> None:
-        """Add what a step measured to what TRL logs, and write the step's line."""
+        """Add the metrics of a step to TRL's log, and write the record of the step."""
         if not (self.model.training and "loss" in logs):
             super().log(logs, start_time)
             return
@@ -251,7 +252,7 @@ class GSPOTrainer(trl.GRPOTrainer):
             self.step_log.add(record)
 
     def train(self, resume_from_checkpoint: Any = None, **given: Any) -> Any:  # noqa: ANN401 - transformers' own
-        """Train, or go on from a checkpoint: True means the last whole one, if there is any.
+        """Train, or continue from a checkpoint; True selects the last complete one, if any.
 
         Raises:
             TrainingError: the checkpoint is not whole or was made with another number of minibatches, or the folder
@@ -282,7 +283,7 @@ class GSPOTrainer(trl.GRPOTrainer):
             self.stream.restore(cursor.stream)
 
     def _save_checkpoint(self, model: object, trial: object) -> None:
-        """Save what transformers saves, then the cursor: a checkpoint that has one is whole."""
+        """Save transformers' files, then the cursor, which marks the checkpoint as complete."""
         folder = folder_of(Path(self.args.output_dir), self.state.global_step)
         if self.accelerator.is_main_process:
             unmark(folder)

@@ -1,4 +1,4 @@
-"""Models that are trained: checkpoints, and tiny ones made here. One file each.
+"""Models to train: checkpoints, and tiny ones created here, one module each.
 
 ModelSettings.checkpoint (texts, a folder) ↦ Checkpoint (a path, and how it is loaded) ↦ Loaded (model, tokenizer)
 """
@@ -26,10 +26,10 @@ class ModelSettings(BaseModel, ABC):
 
     @abstractmethod
     def checkpoint(self, texts: Iterable[str], out: Path) -> Checkpoint:
-        """Return where the model and its tokenizer lie, as they are before training.
+        """Return the checkpoint of the untrained model and its tokenizer.
 
-        `texts` are what it will read and write; they are looked at only by a kind that makes its tokenizer from them.
-        What is made here is saved in the folder `out`, where it is found again by the same call.
+        `texts` are those that the model will read and write, used only to train a tokenizer. New models are saved in
+        the folder `out`, where the same call finds them again.
 
         Raises:
             TrainingError: `out` holds another model.
@@ -46,19 +46,19 @@ class ModelSettings(BaseModel, ABC):
         return self.checkpoint(texts, out).load()
 
     def check(self) -> None:
-        """Look whether there is such a model, before anything is made; TrainingError if not. By default it is made."""
+        """Check before a run that the model exists; TrainingError if not."""
 
 
 MODELS: Registry[type[ModelSettings]] = Registry("training.models")
 
 
 def model_given(given: object) -> object:
-    """Return the model that a configuration's settings describe; anything else as it is, to be refused later."""
+    """Return the model described by settings; other values unchanged, for later validation."""
     return model_from(cast("Mapping[str, object]", given)) if isinstance(given, Mapping) else given
 
 
 def model_from(settings: Mapping[str, object], place: str = "model") -> ModelSettings:
-    """Return the model that settings describe; its `kind` is a registered name.
+    """Return the model described by settings; `kind` is its registered name.
 
     Raises:
         TrainingError: a setting that is unknown, missing or makes no sense.
@@ -68,7 +68,7 @@ def model_from(settings: Mapping[str, object], place: str = "model") -> ModelSet
 
 
 def spoken_to(tokenizer: External, path: str, *, chat: bool | Literal["auto"]) -> bool:
-    """Return whether prompts are messages; TrainingError if they shall be, and the tokenizer has no chat template."""
+    """Return whether prompts are messages; TrainingError if required without a chat template."""
     templated = tokenizer.chat_template is not None
     if chat is True and not templated:
         raise TrainingError(f"chat: the tokenizer of {path!r} has no chat template; set chat to false")

@@ -1,4 +1,4 @@
-"""A checkpoint: a folder, or a name on the Hugging Face hub."""
+"""Pretrained checkpoints: a folder, or a name on the Hugging Face Hub."""
 
 from collections.abc import Iterable
 from pathlib import Path
@@ -14,7 +14,7 @@ __all__ = ["Pretrained"]
 
 @MODELS.register("pretrained")
 class Pretrained(ModelSettings):
-    """A checkpoint of the transformers library, by its folder or its name on the hub."""
+    """A checkpoint of the transformers library, by its folder or its name on the Hub."""
 
     model: Annotated[str, MinLen(1)]
     revision: str | None = None
@@ -25,12 +25,12 @@ class Pretrained(ModelSettings):
     """How attention is computed; by default the library's choice."""
 
     def checkpoint(self, texts: Iterable[str], out: Path) -> Checkpoint:
-        """As it was saved; nothing is looked at, and nothing written."""
+        """Return the saved checkpoint, without reading or writing."""
         del texts, out
         return self._checkpoint
 
     def check(self) -> None:
-        """Read its configuration."""
+        """Read the model configuration."""
         self._checkpoint.check()
 
     @property

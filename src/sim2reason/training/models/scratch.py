@@ -1,7 +1,7 @@
-"""A tiny transformer of random weights and a tokenizer of its own, made here from the texts that it will see.
+"""A tiny transformer with random weights and its own tokenizer, made from the texts of a run.
 
 It has the architecture of Qwen3: rotary position embeddings, RMS normalisation of queries and keys, a gated
-feed-forward network (Yang et al., Qwen3 technical report, 2025). So whatever loads checkpoints loads it by its folder.
+feed-forward network (Yang et al., Qwen3 technical report, 2025). Hence any loader of checkpoints can load its folder.
 """
 
 from collections.abc import Iterable, Iterator
@@ -26,7 +26,7 @@ LARGEST_SEED = 2**63 - 1
 
 @MODELS.register("scratch")
 class Scratch(ModelSettings):
-    """A tiny transformer of random weights, and a tokenizer made from the texts that it will see."""
+    """A tiny transformer with random weights, and a tokenizer made from the texts of the run."""
 
     layers: Annotated[int, Ge(1), Le(256)] = 3
     width: Annotated[int, Ge(4), Le(65_536)] = 96
@@ -53,7 +53,7 @@ class Scratch(ModelSettings):
         return self
 
     def checkpoint(self, texts: Iterable[str], out: Path) -> Checkpoint:
-        """As it lies in `out`, where the first process makes it from the texts if it is not there yet."""
+        """Return the checkpoint in `out`, which the first process creates if it does not exist."""
         state = library("accelerate").PartialState()
         with state.main_process_first():
             if state.is_main_process and not self._held(out):
@@ -61,7 +61,7 @@ class Scratch(ModelSettings):
         return Checkpoint(str(out), precision="float32")
 
     def _held(self, out: Path) -> bool:
-        """Return whether the folder holds this model, whole; TrainingError if it holds something else."""
+        """Return whether the folder contains this model; TrainingError if it contains something else."""
         if not out.is_dir() or not any(out.iterdir()):
             return False
         try:
@@ -73,7 +73,7 @@ class Scratch(ModelSettings):
         return True
 
     def _make(self, texts: Iterable[str], out: Path) -> None:
-        """Make the tokenizer and the weights, and save both; the record of them comes last."""
+        """Create and save the tokenizer and weights, with their record last."""
         digest = sha256()
         tokenizer = made(_counted(texts, digest), self.vocabulary, self.alone)
         tokenizer.model_max_length = self.context
@@ -90,7 +90,7 @@ class Scratch(ModelSettings):
         scratch.rename(out)
 
     def _weights(self, tokenizer: External) -> External:
-        """Return a model of random weights, which leaves the global random state as it was."""
+        """Return a model with random weights, without changing the global random state."""
         torch, transformers = library("torch"), library("transformers")
         config = transformers.Qwen3Config(
             vocab_size=len(tokenizer),
@@ -112,7 +112,7 @@ class Scratch(ModelSettings):
 
 
 class _Record(BaseModel):
-    """``scratch.json``: of what the model was made."""
+    """The contents of ``scratch.json``: the settings and texts behind the model."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
@@ -124,7 +124,7 @@ class _Record(BaseModel):
 
 
 def _counted(texts: Iterable[str], digest: External) -> Iterator[str]:
-    """Yield the same, and its hash."""
+    """Yield the texts while adding them to a hash."""
     for text in texts:
         held = text.encode(errors="replace")
         digest.update(len(held).to_bytes(8, "big") + held)

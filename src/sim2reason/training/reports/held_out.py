@@ -1,4 +1,4 @@
-"""Held-out problems before and after training, and the report of a run of training."""
+"""Report of a training run: accuracy on held-out problems before and after."""
 
 import json
 from collections import defaultdict
@@ -47,17 +47,17 @@ BEFORE, AFTER = "before", "after"
 RESPONSES = {"greedy": 0.0, "sampled": 1.0}
 """How responses are chosen, and at what temperature."""
 CELL = "quantity"
-INSIDE = 0.98  # of a tolerance: what is surely inside it when written with six digits
-PROMISING = 16  # constants that are scored: more than enough for what rounding decides
+INSIDE = 0.98  # fraction of a tolerance that is surely inside after rounding to six digits
+PROMISING = 16  # candidate constants that are scored
 
 
 def answered(config: ReinforcementLearning) -> dict[str, Path]:
-    """Return the folder of the evaluation for each way to choose responses."""
+    """Return the evaluation folder for each way to choose responses (greedy, sampled)."""
     return {name: TrainingFolder(config.out).evaluation / name for name in RESPONSES}
 
 
 def answer_before(config: ReinforcementLearning, begun: Begun, advance: Advance) -> None:
-    """Let the result of a warm start answer, which `evaluated` and other runs of a study need not ask again then.
+    """Evaluate the warm-started model, so that other runs of a study need not repeat it.
 
     Raises:
         PolicyError: it cannot be loaded.
@@ -67,7 +67,7 @@ def answer_before(config: ReinforcementLearning, begun: Begun, advance: Advance)
 
 
 def evaluated(config: ReinforcementLearning, begun: Begun, advance: Advance) -> dict[str, Sequence[BenchmarkItem]]:
-    """Let both models of a finished run answer; the problems of each set, by its name.
+    """Evaluate both models of a finished run; return the problems of each set by its name.
 
     Raises:
         TrainingError: the run is not finished, or holds no problems out.
@@ -84,7 +84,7 @@ def evaluated(config: ReinforcementLearning, begun: Begun, advance: Advance) -> 
 def _asked(
     config: ReinforcementLearning, models: Mapping[str, tuple[str, str | None]], begun: Begun, advance: Advance
 ) -> tuple[Saved, ...]:
-    """Let models, each with its revision, answer as far as they have not; what was asked."""
+    """Evaluate models, each with its revision, as far as not yet done; return the benchmarks."""
     folder = TrainingFolder(config.out)
     sets = [(each.problems.name, each.samples) for each in config.held_out]
     benchmarks = tuple(Saved(name=name, file=folder.problems(name), samples=samples) for name, samples in sets)
@@ -104,7 +104,7 @@ def _policy(config: ReinforcementLearning, name: str, model: str, revision: str 
 
 
 def cells(name: str, items: Sequence[BenchmarkItem], runs: Mapping[str, Path]) -> list[list[object]]:
-    """A row for each quantity of a set, and one for all: problems, accuracies before and after, best constant."""
+    """Return table rows per quantity and in total: problems, accuracies before and after, best constant."""
     groups: dict[str, list[BenchmarkItem]] = defaultdict(list)
     for item in items:
         groups[", ".join(item.tags.get(CELL, ("",)))].append(item)
@@ -117,14 +117,14 @@ def cells(name: str, items: Sequence[BenchmarkItem], runs: Mapping[str, Path]) -
 
 
 def _share(points: Sequence[float]) -> str:
-    """The mean with Wilson's interval, in per cent; of several samples the interval is that of as many problems."""
+    """Return the mean with Wilson's interval, in per cent; samples of one problem do not narrow it."""
     return wilson(round(sum(points)), len(points)).shown if points else "—"
 
 
 def best_constant(items: Sequence[BenchmarkItem]) -> Estimate:
-    """Return what the constant that fits the answers best earns, by their own scoring.
+    """Return the accuracy of the constant answer that is best under the problems' own scoring.
 
-    Each answer, and both ends of its tolerance, may be it; those are scored that lie within most tolerances.
+    Candidates are the answers and both ends of their tolerances; those within the most tolerances are scored.
     """
     best = 0
     for number in _promising(items):
@@ -134,7 +134,7 @@ def best_constant(items: Sequence[BenchmarkItem]) -> Estimate:
 
 
 def _promising(items: Sequence[BenchmarkItem]) -> list[float]:
-    """Numbers that lie within the tolerances of as many answers as any; few, for scoring all would take minutes."""
+    """Return a few numbers within the tolerances of the most answers."""
     known = [(value, tolerance) for value, tolerance in map(_answer, items) if value is not None]
     values, tolerances = np.array(known, dtype=float).reshape(-1, 2).T
     widths = tolerances * np.abs(values)
@@ -145,7 +145,7 @@ def _promising(items: Sequence[BenchmarkItem]) -> list[float]:
 
 
 def _answer(item: BenchmarkItem) -> tuple[float | None, float]:
-    """Value and tolerance of an answer, if it is a number and no formula."""
+    """Return the value and tolerance of a numeric answer; None for a formula."""
     answer = item.reference.get("answer")
     if not isinstance(answer, dict) or answer.get("formula") is not None or answer.get("parts"):
         return None, 0.0
@@ -167,7 +167,7 @@ PLOT = "![What each step measured](steps.png)"
 
 
 class TrainingReport(NamedTuple):
-    """What stands on the page."""
+    """The contents of the report page."""
 
     differences: dict[str, list[PairedDifference]]
     """After less before, of each set, by how responses were chosen: ``greedy`` and ``sampled``."""
@@ -192,7 +192,7 @@ def report_training(
 ) -> TrainingReport:
     """Evaluate a finished run on its held-out problems, before and after, and write the report.
 
-    Where none are held out it has what the steps measured alone.
+    Without held-out problems the report contains only the metrics of the steps.
 
     Raises:
         TrainingError: the run is not finished.
@@ -254,7 +254,7 @@ def _page(
 
 
 def _accuracies(found: TrainingReport) -> list[str]:
-    """On held-out problems."""
+    """Return the lines on accuracy on held-out problems."""
     lines = ["Held-out accuracy in per cent, with 95 % intervals."]
     head = [CELL, "problems", *(f"{name}, {who}" for name in RESPONSES for who in (BEFORE, AFTER)), "best constant"]
     for name, rows in found.cells.items():
@@ -269,7 +269,7 @@ def _accuracies(found: TrainingReport) -> list[str]:
 
 
 def corpora_of(folder: TrainingFolder) -> list[str]:
-    """A table of what the warm start learned from, and how much of it is wrong; TrainingError if it is damaged."""
+    """Return a table of the warm start's corpora with their fractions of wrong solutions."""
     try:
         held = json.loads(folder.learned.read_text("utf-8"))
         rows = [[each["kind"], each["rows"], f"{100 * each['wrong'] / each['rows']:.1f}"] for each in held]

@@ -1,4 +1,4 @@
-"""What a study found: held-out accuracy of each run before and after, and of each arm over its seeds.
+"""Report of a study: held-out accuracy of each run before and after, and of each arm over its seeds.
 
 OUT/report/report.md, report.json, steps.png    all of it on a page
 """
@@ -40,7 +40,7 @@ Means = Mapping[str, float]
 
 
 class RunAccuracy(NamedTuple):
-    """One run on one set of held-out problems, by one way to choose responses."""
+    """The accuracy of one run on one set of held-out problems, by one way to choose responses."""
 
     problems: str
     responses: str
@@ -53,7 +53,7 @@ class RunAccuracy(NamedTuple):
 
 
 class ArmGain(NamedTuple):
-    """An arm over its seeds; problems are the trials, and a problem's points are means over the seeds."""
+    """The gain of an arm over its seeds; a problem's points are means over the seeds."""
 
     problems: str
     responses: str
@@ -69,7 +69,7 @@ class ArmGain(NamedTuple):
 
 
 class StudyReport(NamedTuple):
-    """What stands on the page."""
+    """The contents of the report page."""
 
     runs: list[RunAccuracy]
     arms: list[ArmGain]
@@ -79,7 +79,7 @@ class StudyReport(NamedTuple):
 
 
 def report_study(study: TrainingStudy) -> StudyReport:
-    """Put the reports of all runs on one page; TrainingError if one is not finished, or holds no problems out."""
+    """Combine the reports of all runs; TrainingError if one is unfinished or has no held-out problems."""
     first = study.first(study.runs[0].name)
     if not first.held_out or any(TrainingFolder(each.out).result() is None for each in study.configs.values()):
         raise TrainingError(f"{study.out}: runs without held_out problems, or not finished; train them first")
@@ -100,7 +100,7 @@ def _problems(name: str, folder: TrainingFolder) -> Sequence[BenchmarkItem]:
 
 
 def _points(study: TrainingStudy, arm: Arm, responses: str, name: str) -> tuple[Means, Means]:
-    """Of all problems, before and after."""
+    """Return the points of all problems, before and after."""
     run = answered(study.configs[arm])[responses]
     before, after = (scores_of(f"{run}:{who}").means(name) for who in (BEFORE, AFTER))
     return before, after
@@ -126,7 +126,7 @@ def _arms(study: TrainingStudy, name: str, responses: str, held: Mapping[Arm, tu
 
 
 def _values(held: Means) -> list[float]:
-    """In the order of the problems' names."""
+    """Return the values in the order of the problems' names."""
     return [held[item] for item in sorted(held)]
 
 
@@ -144,7 +144,7 @@ def _write(study: TrainingStudy, found: StudyReport) -> None:
 
 
 def _series(study: TrainingStudy, name: str) -> dict[str, list[float | None]]:
-    """Of each arm, the mean over its seeds at each step."""
+    """Return the mean over seeds at each step, by arm."""
     found: dict[str, list[float | None]] = {}
     for arm in study.arms:
         logs = [StepLog(TrainingFolder(study.configs[Arm(arm, seed)].out).train).read() for seed in study.seeds_of(arm)]
@@ -197,7 +197,7 @@ def _page(study: TrainingStudy, found: StudyReport) -> list[str]:
 
 
 def _corpora(study: TrainingStudy) -> list[str]:
-    """Return what the warm start of each arm learned from; arms with the same one stand together."""
+    """Return the lines on the corpora of each arm's warm start; arms with equal ones are merged."""
     arms: dict[str, list[str]] = {}
     for arm in study.arms:
         folder = TrainingFolder(study.first(arm).out)

@@ -1,4 +1,4 @@
-"""Rewards: our grader, and the controls that a claim about it needs. One file each."""
+"""Rewards: the library's grader, and controls for experiments, one module each."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
@@ -16,7 +16,7 @@ __all__ = ["REWARDS", "Reward", "reward_from", "reward_function"]
 
 
 class Reward(BaseModel, ABC):
-    """What a response earns, from 0 to 1; each subclass is a kind that a configuration names."""
+    """A function from a response to a number from 0 to 1; each subclass is a kind that a configuration names."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
@@ -25,14 +25,14 @@ class Reward(BaseModel, ABC):
 
     @abstractmethod
     def earned(self, problem: Problem, response: str, number: int) -> float:
-        """By the `number`-th response to a problem; a pure function, which never raises for what a response says."""
+        """Return the reward of the `number`-th response to a problem; no response text raises an error."""
 
 
 REWARDS: Registry[type[Reward]] = Registry("training.rewards")
 
 
 def reward_from(settings: object) -> object:
-    """Return the reward of a name, or of settings whose `kind` is one; anything else stays what it is.
+    """Return the reward from its name or settings with a `kind`; other values unchanged.
 
     Raises:
         TrainingError: a setting that is unknown or makes no sense.
@@ -46,7 +46,7 @@ def reward_from(settings: object) -> object:
 
 
 def reward_function(reward: Reward) -> Callable[..., list[float | None]]:
-    """Return a reward as TRL calls it: completions are texts, or lists of messages, and each row has its problem."""
+    """Return a reward in TRL's form, for completions as texts or messages."""
 
     def earned(
         prompts: Sequence[object], completions: Sequence[object], *, problem: Sequence[str], **columns: object

@@ -1,4 +1,4 @@
-"""The reward that counts: whether the answer is right."""
+"""The accuracy reward: whether the answer is correct."""
 
 from sim2reason.evaluation.benchmarks.scoring import SCORINGS
 from sim2reason.training.problem import Problem
@@ -9,9 +9,9 @@ __all__ = ["Accuracy"]
 
 @REWARDS.register("accuracy")
 class Accuracy(Reward):
-    """1 for a right answer, else 0: by our grader, or by the rule of the corpus that the problem is from."""
+    """1 for a correct answer, else 0: by the library's grader, or by the scoring rule of the problem's corpus."""
 
     def earned(self, problem: Problem, response: str, number: int) -> float:
-        """By the problem's own rule."""
+        """Return the reward by the problem's own rule."""
         del number
         return SCORINGS[problem.item.scoring].award(response, problem.item.reference).points

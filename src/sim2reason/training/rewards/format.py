@@ -1,4 +1,4 @@
-"""A control: any answer that can be read is paid."""
+"""A control reward for any readable answer."""
 
 from sim2reason.evaluation.benchmarks.scoring import SCORINGS
 from sim2reason.training.problem import Problem
@@ -9,9 +9,9 @@ __all__ = ["Format"]
 
 @REWARDS.register("format")
 class Format(Reward):
-    """1 for an answer that can be read, be it right or wrong."""
+    """1 for a readable answer, correct or not."""
 
     def earned(self, problem: Problem, response: str, number: int) -> float:
-        """By whether the rule of the problem finds an answer."""
+        """Return 1 if the problem's rule finds an answer."""
         del number
         return float(SCORINGS[problem.item.scoring].award(response, problem.item.reference).readable)

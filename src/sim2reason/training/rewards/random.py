@@ -1,4 +1,4 @@
-"""A control: a coin decides."""
+"""A random control reward."""
 
 from sim2reason.generation.random_scenes import generator
 from sim2reason.training.problem import Problem
@@ -9,9 +9,9 @@ __all__ = ["Random"]
 
 @REWARDS.register("random")
 class Random(Reward):
-    """1 or 0 by the toss of a coin, whatever the response says (Shao et al., Spurious rewards, 2025)."""
+    """1 or 0 at random, whatever the response is (Shao et al., Spurious rewards, 2025)."""
 
     def earned(self, problem: Problem, response: str, number: int) -> float:
-        """By the seed, the problem and the number of the response."""
+        """Return a random reward from the seed, the problem and the number of the response."""
         del response
         return float(generator("reward", self.seed, problem.item.id, number).random() < 0.5)

@@ -1,4 +1,4 @@
-"""Reinforcement learning: a model, problems, a reward, and what a run leaves.
+"""Reinforcement learning: a model, problems, a reward, and the files of a run.
 
 OUT/rl.json         what decides the run, and the versions of the libraries with which it was begun
 OUT/held-out/       the problems that are kept for evaluation, a file for each set of the configuration

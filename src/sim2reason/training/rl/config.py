@@ -1,4 +1,4 @@
-"""The configuration of reinforcement learning: a model, problems, a reward, and what is kept for evaluation."""
+"""Configuration of reinforcement learning: a model, problems, a reward, and held-out problems."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -31,7 +31,7 @@ def _one_or_more(given: object) -> object:
 
 
 def _warm_start(given: object) -> object:
-    """Return the settings of a warm start, whose folder is inside that of the run."""
+    """Return the settings of a warm start with its folder inside that of the run."""
     if not isinstance(given, Mapping):
         return given
     if "out" in given:
@@ -44,7 +44,7 @@ class _Settings(BaseModel):
 
 
 class Prefetch(_Settings):
-    """Processes that make problems before they are asked for; they never change which."""
+    """The worker processes that generate problems ahead of time, without affecting which ones."""
 
     workers: Annotated[int, Ge(0), Le(1024)] = 1
     depth: Annotated[int, Ge(1), Le(100_000)] = 64
@@ -52,7 +52,7 @@ class Prefetch(_Settings):
 
 
 class HeldOut(_Settings):
-    """What is kept for evaluation: problems like those of a source, drawn from another seed or of other recipes."""
+    """Problems kept for evaluation: like those of a source, but from another seed or other recipes."""
 
     problems: SerializeAsAny[Fresh]
     items: Annotated[int, Ge(1), Le(10**6)] = 500
@@ -61,7 +61,7 @@ class HeldOut(_Settings):
 
 
 class ReinforcementLearning(_Settings):
-    """What is trained on which problems, for which reward, and how."""
+    """The complete settings of a run: model, problems, reward and algorithm."""
 
     out: Path
     """The folder of the run."""
@@ -93,7 +93,7 @@ class ReinforcementLearning(_Settings):
         return self
 
     def check_shares(self, processes: int) -> None:
-        """TrainingError if so many processes cannot share the batches evenly."""
+        """Raise TrainingError if `processes` cannot share the batches evenly."""
         self.gspo.shares(processes)
         if self.warm_start is not None:
             try:
@@ -102,7 +102,7 @@ class ReinforcementLearning(_Settings):
                 raise TrainingError(f"warm_start.{error}") from None
 
     def _check_held_out(self) -> None:
-        """ValueError if what is kept for evaluation is trained on, or two sets have one name."""
+        """Raise ValueError if held-out problems are trained on, or two sets have the same name."""
         seeds = {source.seed for source in self.problems if isinstance(source, Fresh)}
         names = [each.problems.name for each in self.held_out]
         if any(each.problems.seed in seeds for each in self.held_out):
@@ -112,12 +112,12 @@ class ReinforcementLearning(_Settings):
 
     @property
     def libraries(self) -> tuple[str, ...]:
-        """Those that these settings need beside what every run does."""
+        """Return the additional libraries that these settings need."""
         return (*self.gspo.libraries, *(() if self.warm_start is None else self.warm_start.libraries))
 
     @property
     def evaluation_policy(self) -> dict[str, Any]:
-        """Settings of a policy that answers held-out problems, but for its model and the temperature."""
+        """Return the settings of the policy for held-out problems, without model and temperature."""
         return {
             "kind": "transformers",
             "precision": "bfloat16" if self.gspo.precision == "bfloat16" else "auto",
@@ -128,7 +128,7 @@ class ReinforcementLearning(_Settings):
         }
 
     def check(self) -> None:
-        """Look for model, corpora and problems, before a folder is claimed.
+        """Check before a run that model, corpora and problems exist.
 
         Raises:
             TrainingError, EvaluationError, DatasetError: one of them is not there, or not what it must be.
@@ -140,7 +140,7 @@ class ReinforcementLearning(_Settings):
 
     @property
     def decisive(self) -> dict[str, Any]:
-        """Return what decides the weights."""
+        """Return the settings that affect the weights."""
         held = self.model_dump(
             mode="json",
             exclude={"out": True, "prefetch": True, "answers_together": True, "held_out": {"__all__": {"samples"}}},
@@ -160,9 +160,9 @@ class ReinforcementLearning(_Settings):
 def reinforcement_learning_from(
     config: "Path | str | Mapping[str, object] | ReinforcementLearning", out: Path | None = None
 ) -> ReinforcementLearning:
-    """Return what a YAML file, or settings, describe; `out` stands for the folder that they name.
+    """Return the configuration in a YAML file or settings; `out` overrides the output folder.
 
-    Paths in it are seen from where the program runs.
+    Relative paths refer to the current working directory.
 
     Raises:
         TrainingError: what is missing, unknown or makes no sense; the line names its place.

@@ -25,7 +25,7 @@ AVOIDED = "keys.json"
 
 
 class Trained(Record):
-    """What came of a run; ``result.json``."""
+    """The result of a run, stored in ``result.json``."""
 
     model: str
     """The folder of the trained model, seen from that of the run."""
@@ -41,10 +41,10 @@ class Trained(Record):
 
 
 class TrainingFolder:
-    """The files of a run."""
+    """The files of a run of reinforcement learning."""
 
     def __init__(self, path: Path) -> None:
-        """At `path`, which need not be there yet."""
+        """Store the path, which need not exist."""
         self.path = path
         self.warm_start, self.train, self.model = path / WARM_START, path / "train", path / "model"
         self.held_out, self.initial = path / "held-out", path / "initial"
@@ -52,30 +52,30 @@ class TrainingFolder:
         self.evaluation, self.report = path / "evaluation", path / "report" / "report.json"
 
     def claim(self, config: ReinforcementLearning) -> None:
-        """As `run_plan.claim` does."""
+        """Claim the folder for a configuration, as `run_plan.claim` does."""
         prepared = self.held_out, self.initial, *SftFolder(self.warm_start).prepared
         claim(self.path / RL_PLAN, config.decisive, config.check, prepared)
 
     def is_prepared(self, config: ReinforcementLearning) -> bool:
-        """Return whether all is there that comes before reinforcement learning."""
+        """Return whether all steps before reinforcement learning are complete."""
         warm = config.warm_start is None or SftFolder(self.warm_start).result() is not None
         return warm and (not config.held_out or self._avoided.is_file())
 
     def result(self) -> Trained | None:
-        """Return what came of a run that is finished."""
+        """Return the result of a finished run, else None."""
         return result_in(self.path, Trained)
 
     def problems(self, name: str) -> Path:
-        """Return the file of a set that is held out."""
+        """Return the path of a held-out set."""
         return self.held_out / f"{name}.jsonl"
 
     @property
     def _avoided(self) -> Path:
-        """The file of what must not be learned from; written when all that is held out is there."""
+        """Return the path of the fingerprints to avoid, written after all held-out problems."""
         return self.held_out / AVOIDED
 
     def hold_out(self, sets: Sequence[HeldOut], workers: int) -> frozenset[str]:
-        """Draw the problems that are kept for evaluation, unless they are there; what a stream must avoid for them."""
+        """Generate the held-out problems unless they exist; return the fingerprints that streams must avoid."""
         keys = self._avoided
         if not keys.is_file():
             self.held_out.mkdir(exist_ok=True)
@@ -88,7 +88,7 @@ class TrainingFolder:
         return frozenset(json.loads(keys.read_text("utf-8")))
 
     def finish(self, run: External, tokenizer: External, initial: Checkpoint) -> None:
-        """Save the model, with adapters merged, its tokenizer, and then the result."""
+        """Save the model with merged adapters, its tokenizer, and then the result."""
         scratch = self.path / "model.part"
         model = run.accelerator.unwrap_model(run.model)
         if hasattr(model, "merge_and_unload"):
@@ -113,7 +113,7 @@ class TrainingFolder:
 
 
 def _drawn(wanted: HeldOut, workers: int) -> list[Problem]:
-    """Return the first problems of a source, no two of the same numbers."""
+    """Return the first problems of a source, without repeated numbers."""
     with prefetching(workers, 4 * max(workers, 1)) as store:
         stream, found = ProblemStream((wanted.problems,), store), dict[str, Problem]()
         while len(found) < wanted.items:

@@ -1,4 +1,4 @@
-"""One run of reinforcement learning, from a configuration to a trained model; the same call goes on where it ended."""
+"""One run of reinforcement learning, from configuration to trained model, with resumption."""
 
 # TRL, transformers and torch are an extra:
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
@@ -27,7 +27,7 @@ __all__ = ["NEEDED", "Stage", "prepare_rl", "train_rl"]
 NEEDED = "torch", "transformers", "accelerate", "datasets", "trl"
 Stage = Literal["data", "warm-start"]
 """Of what comes before reinforcement learning."""
-PATIENCE = timedelta(days=1)  # that processes wait for the first one, which may have many problems to make
+PATIENCE = timedelta(days=1)  # how long processes wait for the first one, which may have many problems to make
 
 
 def train_rl(
@@ -37,11 +37,12 @@ def train_rl(
     begun: Begun = lambda phase, steps: None,  # noqa: ARG005 - names say what is told
     advance: Advance = lambda _: None,
 ) -> Trained:
-    """Train as a YAML file, or settings, say; `out` stands for the folder that they name.
+    """Train by a YAML file or settings; `out` overrides the output folder.
 
-    A run that was broken off goes on from its last checkpoint with the next prompt; one that is finished gives its
-    result. Several processes are started here if the configuration says so; each that accelerate or torchrun starts
-    calls this. `begun` is told what comes next and how many steps it has, `advance` how many more are done.
+    An interrupted run continues from its last checkpoint with the next prompt; a finished one returns its result.
+    Several processes are started here if configured; each process started by accelerate or torchrun calls this
+    function. `begun` receives the name and the number of steps of each phase, `advance` the numbers of newly finished
+    steps.
 
     Raises:
         TrainingError: a configuration, corpus or folder that cannot be used.
@@ -63,10 +64,10 @@ def prepare_rl(
     begun: Begun = lambda phase, steps: None,  # noqa: ARG005 - names say what is told
     advance: Advance = lambda _: None,
 ) -> Path:
-    """Do what comes before reinforcement learning, with the same arguments; `train_rl` goes on in the folder given.
+    """Run the steps before reinforcement learning, with the arguments of `train_rl`.
 
-    *data* are the problems that are held out, and the rows and the model of a warm start: work that needs no GPU, to be
-    done before one is rented. *warm-start* is the same and the warm start itself.
+    *data* covers the held-out problems, and the rows and model of a warm start: work without a GPU. *warm-start*
+    includes the warm start itself. `train_rl` continues in the returned folder.
 
     Raises:
         TrainingError, MissingExtraError, DatasetError: as `train_rl` does.
@@ -82,7 +83,7 @@ def _in_all_processes(
     begun: Begun,
     advance: Advance,
 ) -> None:
-    """Do it, in the processes that the configuration asks for unless it is one of several that were started before."""
+    """Run a step in the configured number of processes, unless several were already started."""
     require(*NEEDED, *settings.libraries)
     if settings.processes > 1 and not launched():
         in_processes(settings.processes, work, settings, begun, advance)
@@ -92,7 +93,7 @@ def _in_all_processes(
 
 @contextmanager
 def _entered(settings: ReinforcementLearning) -> Generator[tuple[TrainingFolder, External]]:
-    """Return the folder of the run, claimed by the main process, and accelerate's state."""
+    """Return a context with the folder of the run, claimed by the main process, and accelerate's state."""
     torch = library("torch")
     without_cudnn_attention()
     state = library("accelerate").PartialState(cpu=not torch.accelerator.is_available(), timeout=PATIENCE)
@@ -108,7 +109,7 @@ def _entered(settings: ReinforcementLearning) -> Generator[tuple[TrainingFolder,
 
 
 def _held_out(settings: ReinforcementLearning, folder: TrainingFolder, state: External) -> frozenset[str]:
-    """Hold problems out; what must not be learned from."""
+    """Generate the held-out problems; return the fingerprints to avoid."""
     if not settings.held_out:
         return frozenset()
     with state.main_process_first():
@@ -116,7 +117,7 @@ def _held_out(settings: ReinforcementLearning, folder: TrainingFolder, state: Ex
 
 
 def _prepare_data(settings: ReinforcementLearning, begun: Begun, advance: Advance) -> None:
-    """Hold problems out, and make what a warm start learns from."""
+    """Generate the held-out problems and the warm start's rows."""
     del begun, advance
     with _entered(settings) as (folder, state):
         avoid = _held_out(settings, folder, state)
@@ -125,13 +126,13 @@ def _prepare_data(settings: ReinforcementLearning, begun: Begun, advance: Advanc
 
 
 def _prepare(settings: ReinforcementLearning, begun: Begun, advance: Advance) -> None:
-    """Hold problems out, warm up."""
+    """Generate the held-out problems, and train the warm start."""
     with _entered(settings) as (folder, state):
         _checkpoint(settings, folder, _held_out(settings, folder, state), begun, advance)
 
 
 def _train(settings: ReinforcementLearning, begun: Begun, advance: Advance) -> None:
-    """Hold problems out, warm up, train."""
+    """Generate the held-out problems, train the warm start, then run reinforcement learning."""
     with _entered(settings) as (folder, state):
         if folder.result() is not None:
             return
@@ -149,7 +150,7 @@ def _train(settings: ReinforcementLearning, begun: Begun, advance: Advance) -> N
 def _checkpoint(
     settings: ReinforcementLearning, folder: TrainingFolder, avoid: frozenset[str], begun: Begun, advance: Advance
 ) -> Checkpoint:
-    """Return what is trained: the given one, or the result of the warm start."""
+    """Return the checkpoint to train: the configured one, or the result of the warm start."""
     warm = settings.warm_start
     if warm is None:
         assert settings.model is not None
@@ -159,7 +160,7 @@ def _checkpoint(
 
 
 def _warm_start(given: FineTuning, folder: TrainingFolder) -> FineTuning:
-    """Return the same, in the folder of the run."""
+    """Return the warm start's configuration with its folder inside the run."""
     return given.model_copy(update={"out": folder.warm_start})
 
 
@@ -186,7 +187,7 @@ def _trained(
 
 
 def _told(advance: Advance, minibatches: int) -> External:
-    """Tell of each step that is done."""
+    """Return a callback that reports each finished step."""
 
     class Told(library("transformers").TrainerCallback):
         def on_train_begin(self, _: External, state: External, *__: External, **___: External) -> None:

@@ -1,4 +1,4 @@
-"""The configuration and the folder of supervised fine-tuning."""
+"""Configuration and folder of supervised fine-tuning."""
 
 import json
 import shutil
@@ -25,7 +25,7 @@ from sim2reason.training.step_lines import StepLines
 
 __all__ = ["FineTuned", "FineTuning", "SftFolder", "fine_tuning_from"]
 
-LARGEST_SEED = 2**32 - 1  # that numpy's global generator takes, which the trainer seeds, too
+LARGEST_SEED = 2**32 - 1  # of numpy's global generator, which the trainer seeds
 MOST_STEPS = 10**8
 
 
@@ -37,7 +37,7 @@ Rate = Annotated[float, Gt(0.0), Le(10.0)]
 
 
 class FineTuning(BaseModel):
-    """A model, the corpora that it learns from, and how it does."""
+    """The settings of fine-tuning: a model, its corpora, and the algorithm."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, protected_namespaces=())
 
@@ -108,19 +108,19 @@ class FineTuning(BaseModel):
 
     @property
     def libraries(self) -> tuple[str, ...]:
-        """Those that these settings need beside what every run does."""
+        """Return the additional libraries that these settings need."""
         chosen = {"peft": self.lora is not None, "tensorboard": self.tensorboard}
         return tuple(name for name, wanted in chosen.items() if wanted)
 
     def check(self) -> None:
-        """Look for the model and the corpora, before a folder is claimed; TrainingError or DatasetError without one."""
+        """Check before a run that the model and corpora exist; TrainingError or DatasetError if not."""
         self.model.check()
         for corpus in self.corpora:
             corpus.check()
 
     @property
     def decisive(self) -> dict[str, Any]:
-        """Return what decides the weights, with the kinds of model and corpora."""
+        """Return the settings that affect the weights, with the kinds of model and corpora."""
         held = self.model_dump(mode="json", exclude=set(self.operational))
         held["model"] = {"kind": MODELS.name_of(self.model), **held["model"]}
         held["corpora"] = [
@@ -130,7 +130,7 @@ class FineTuning(BaseModel):
         return held
 
     def steps_of(self, rows: int) -> int:
-        """Return how many steps a run over so many rows takes."""
+        """Return the number of steps for a number of rows."""
         return self.steps if self.steps is not None else min(MOST_STEPS, max(1, self._steps_of_epochs(rows)))
 
     def _steps_of_epochs(self, rows: int) -> int:
@@ -138,7 +138,7 @@ class FineTuning(BaseModel):
         return ceil(self.epochs * ceil(rows / self.batch))
 
     def accumulated(self, devices: int) -> tuple[int, int]:
-        """Rows that a device holds at once, and how many times it does in a step; TrainingError if none fit."""
+        """Return the rows per device and pass, and the passes per step; TrainingError if none fit."""
         share, rest = divmod(self.batch, devices)
         if rest:
             raise TrainingError(
@@ -151,9 +151,9 @@ class FineTuning(BaseModel):
 
 
 def fine_tuning_from(config: "Path | str | Mapping[str, object] | FineTuning", out: Path | None = None) -> FineTuning:
-    """Return what a YAML file, or settings, describe; `out` stands for the folder that they name.
+    """Return the configuration in a YAML file or settings; `out` overrides the output folder.
 
-    Paths in it are seen from where the program runs.
+    Relative paths refer to the current working directory.
 
     Raises:
         TrainingError: what is missing, unknown or makes no sense; the line names its place.
@@ -170,7 +170,7 @@ CHECKPOINT = "checkpoint-"
 
 
 class FineTuned(Record):
-    """What came of a run; ``result.json``."""
+    """The result of a run, stored in ``result.json``."""
 
     model: str
     """The folder of the trained model, seen from that of the run."""
@@ -187,25 +187,25 @@ class FineTuned(Record):
 
 
 class SftFolder:
-    """The files of a run."""
+    """The files of a fine-tuning run."""
 
     def __init__(self, path: Path) -> None:
-        """At `path`, which need not be there yet."""
+        """Store the path, which need not exist."""
         self.path = path
         self.initial, self.checkpoints, self.log = path / "initial", path / "checkpoints", StepLines(path / LOG)
         self.model, self.adapter = path / "model", path / "adapter"
 
     def claim(self, config: FineTuning) -> None:
-        """As `run_plan.claim` does."""
+        """Claim the folder for a configuration, as `run_plan.claim` does."""
         claim(self.path / SFT_PLAN, config.decisive, config.check, self.prepared)
 
     @property
     def prepared(self) -> tuple[Path, ...]:
-        """Return what comes before the first step of training."""
+        """Return the paths of the files before the first step of training."""
         return *(self.path / name for name in (SFT_PLAN, ROWS, CORPORA_FOLDER)), self.initial
 
     def result(self) -> FineTuned | None:
-        """Return what came of a run that is finished."""
+        """Return the result of a finished run, else None."""
         return result_in(self.path, FineTuned)
 
     def finish(self, result: FineTuned) -> None:
@@ -213,7 +213,7 @@ class SftFolder:
         finish(self.path, result)
 
     def draw(self, config: FineTuning, avoid: frozenset[str] = frozenset()) -> None:
-        """Write the rows, unless they are there: a run that goes on learns from the same, whatever became of files."""
+        """Write the rows unless they exist, so that a resumed run uses the same ones."""
         if (self.path / CORPORA_FOLDER).is_file():
             return
         mix = mixed(config.corpora, config.seed, avoid)
@@ -226,15 +226,15 @@ class SftFolder:
         put_text(self.path / CORPORA_FOLDER, canonical([asdict(each) for each in mix.corpora]), self.path)
 
     def rows(self) -> list[Row]:
-        """Return all rows in their order."""
+        """Return all rows in order."""
         return list(rows_in(self.path / ROWS))
 
     def corpora(self) -> list[dict[str, JsonValue]]:
-        """Return what each corpus gave."""
+        """Return the counts of each corpus."""
         return json.loads((self.path / CORPORA_FOLDER).read_text("utf-8"))
 
     def checkpoint(self) -> Path | None:
-        """Return the last whole checkpoint; None before the first."""
+        """Return the last complete checkpoint; None before the first."""
         found = {
             int(path.parent.name.removeprefix(CHECKPOINT)): path.parent
             for path in self.checkpoints.glob(f"{CHECKPOINT}[0-9]*/{WHOLE}")
@@ -242,7 +242,7 @@ class SftFolder:
         return found[max(found)] if found else None
 
     def rewind(self) -> int:
-        """Forget what came after the last whole checkpoint; the step of that, zero before the first."""
+        """Remove everything after the last complete checkpoint; return its step, zero without one."""
         last = self.checkpoint()
         step = int(last.name.removeprefix(CHECKPOINT)) if last else 0
         for path in self.checkpoints.glob(f"{CHECKPOINT}*"):
@@ -252,7 +252,7 @@ class SftFolder:
         return step
 
     def whole(self, step: int) -> None:
-        """Mark a checkpoint, all of whose files are written, as whole, once they are on disk."""
+        """Mark a checkpoint as complete after syncing its files to disk."""
         folder = self.checkpoints / f"{CHECKPOINT}{step}"
         for path in folder.rglob("*"):
             sync(path)

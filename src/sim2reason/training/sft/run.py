@@ -1,4 +1,4 @@
-"""One run of supervised fine-tuning, from a configuration to a trained model; the same call goes on where it ended."""
+"""One run of supervised fine-tuning, from configuration to trained model, with resumption."""
 
 # TRL, transformers and torch are an extra:
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
@@ -31,12 +31,12 @@ def train_sft(
     begun: Callable[[str, int], object] = lambda phase, steps: None,  # noqa: ARG005 - names say what is told
     advance: Callable[[int], object] = lambda _: None,
 ) -> FineTuned:
-    """Train as a YAML file, or settings, say; `out` stands for the folder that they name.
+    """Fine-tune by a YAML file or settings; `out` overrides the output folder.
 
-    A run that was broken off goes on from its last checkpoint, and ends in the same weights on the same machine; one
-    that is finished gives its result. On several devices, each process that accelerate or torchrun starts calls this.
-    Rows whose prompt or fingerprint is one to `avoid` are left out. `begun` is told what comes next and how many steps
-    it has, and `advance` how many more are done.
+    An interrupted run continues from its last checkpoint, with the same final weights on the same machine; a finished
+    one returns its result. On several devices, each process started by accelerate or torchrun calls this function. Rows
+    whose prompt or fingerprint is in `avoid` are omitted. `begun` receives the name and the number of steps of each
+    phase, `advance` the numbers of newly finished steps.
 
     Raises:
         TrainingError: a configuration, corpus or folder that cannot be used.
@@ -67,10 +67,10 @@ def prepare_sft(
     *,
     avoid: frozenset[str] = frozenset(),
 ) -> None:
-    """Do what comes before the first step: draw the rows, make the model if it is made here. No accelerator is needed.
+    """Run the steps before training, which need no accelerator: rows, and a model from scratch.
 
-    Where a machine with GPUs is rented, this is done elsewhere before; `train_sft` goes on in the same folder. It
-    raises what that does.
+    This saves time on a rented GPU machine; `train_sft` continues in the same folder. The errors are those of
+    `train_sft`.
     """
     settings = fine_tuning_from(config, out)
     require(*NEEDED, *settings.libraries)
@@ -87,7 +87,7 @@ def prepare_sft(
 
 @contextmanager
 def _held(folder: SftFolder, config: FineTuning, *, main: bool) -> Generator[None, None, None]:
-    """Keep other runs out of the folder, which the main process alone writes to."""
+    """Lock the folder against other runs; only the main process writes to it."""
     if not main:
         yield
         return
@@ -103,7 +103,7 @@ def _trained(
     begun: Callable[[str, int], object],
     advance: Callable[[int], object],
 ) -> FineTuned:
-    """Train, or go on training, and save what came of it."""
+    """Train or continue, and save the result."""
     rows = folder.rows()
     loaded = config.model.load(_texts(rows), folder.initial)
     chat = spoken_to(loaded.tokenizer, loaded.path, chat=config.chat)
@@ -134,17 +134,17 @@ def _trained(
 
 
 def _limits(config: FineTuning, loaded: Loaded) -> Limits:
-    """Of tokens: those of the configuration, and of the model's context."""
+    """Return the token limits of the configuration and of the model's context."""
     return Limits(config.max_prompt_tokens, config.max_completion_tokens, context_of(loaded.model.config))
 
 
 def _texts(rows: Sequence[Row]) -> Iterator[str]:
-    """Return all that a model reads and writes."""
+    """Yield all texts that a model reads and writes."""
     return (text for row in rows for text in (row.prompt, row.completion))
 
 
 def _saved(run: External, loaded: Loaded, folder: SftFolder, config: FineTuning) -> int:
-    """Save the model, with adapters merged, and its tokenizer; how many parameters it has."""
+    """Save the model with merged adapters and its tokenizer; return the number of parameters."""
     scratch = folder.path / "model.part"
     if config.lora is None:
         run.save_model(str(scratch))
@@ -164,7 +164,7 @@ def _saved(run: External, loaded: Loaded, folder: SftFolder, config: FineTuning)
 
 
 def _last_loss(run: External) -> float:
-    """Return the loss of the last line of the log; of all steps where there are fewer than a line takes."""
+    """Return the last logged loss; the mean of all steps if there are few."""
     lines = [line for line in run.state.log_history if "loss" in line or "train_loss" in line]
     last = next((line["loss"] for line in reversed(lines) if "loss" in line), lines[-1].get("train_loss"))
     return float(last)

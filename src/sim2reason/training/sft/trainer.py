@@ -1,4 +1,4 @@
-"""Trainer of supervised fine-tuning, with batches of rows of similar length."""
+"""Trainer of supervised fine-tuning with batches of rows of similar length."""
 
 import json
 import time
@@ -22,11 +22,11 @@ __all__ = ["arguments", "batches_by_length", "sampler_by_length", "trainer"]
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUntypedBaseClass=false
 
 
-AMONG = 50  # batches whose rows are sorted together: more of them, less padding and a less random order
+AMONG = 50  # batches sorted together: more of them mean less padding and a less random order
 
 
 def batches_by_length(lengths: Sequence[int], batch: int, seed: int, epoch: int) -> list[int]:
-    """The places of all rows, batch by batch: a pure function. Batches come in random order, a smaller one last."""
+    """Return the indices of all rows by batches of similar length, in random order, a partial one last."""
     rng, held = generator("length", seed, epoch), np.asarray(lengths)
     order = rng.permutation(len(held))
     stretches = np.split(order, range(AMONG * batch, len(order), AMONG * batch))
@@ -37,20 +37,20 @@ def batches_by_length(lengths: Sequence[int], batch: int, seed: int, epoch: int)
 
 
 def sampler_by_length(lengths: Sequence[int], batch: int, seed: int) -> External:
-    """Return what torch's loaders take: the same order in each run, another in each pass."""
+    """Return a torch sampler with the same order in each run, and a new one in each epoch."""
     return _sampler()(lengths, batch, seed)
 
 
 @cache
 def _sampler() -> External:
-    """Return the class, made when torch is there."""
+    """Return the sampler class, defined once torch is imported."""
 
     class ByLength(library("torch.utils.data").Sampler):
         def __init__(self, lengths: Sequence[int], batch: int, seed: int) -> None:
             self.lengths, self.batch, self.seed, self.epoch = lengths, batch, seed, 0
 
         def set_epoch(self, epoch: int) -> None:
-            """Called before each pass."""
+            """Set the epoch before each pass."""
             self.epoch = epoch
 
         def __len__(self) -> int:
@@ -67,14 +67,14 @@ def _sampler() -> External:
 # pyright: reportUntypedBaseClass=false
 
 
-SMALL = 2**15  # pieces of a vocabulary whose logits fit in memory
-LOADERS = 2  # processes that put rows together while a GPU computes
+SMALL = 2**15  # vocabulary size up to which all logits fit in memory
+LOADERS = 2  # processes that assemble batches while a GPU computes
 IGNORED = -100
 Advance = Callable[[int], object]
 
 
 def arguments(config: FineTuning, checkpoints: Path, steps: int, devices: int) -> External:
-    """Return the configuration as TRL has it."""
+    """Return the configuration in TRL's form."""
     torch = library("torch")
     micro, accumulated = config.accumulated(devices)
     cpu = config.device == "cpu" or not torch.cuda.is_available()
@@ -121,7 +121,7 @@ def trainer(
     folder: SftFolder,
     advance: Advance,
 ) -> External:
-    """A trainer of encoded rows, ready to train; only the main process writes, and tells `advance` of its steps."""
+    """Return a trainer of encoded rows; only the main process writes and reports steps to `advance`."""
     made = _trainer()(
         loaded.model,
         args=arguments,
@@ -138,18 +138,18 @@ def trainer(
 
 
 class _Silent:
-    """What TRL's trainer says to others, left unsaid."""
+    """A mixin that disables TRL's model cards and telemetry."""
 
     def create_model_card(self, *args: object, **settings: object) -> None:
-        """None: the folder says what is in it."""
+        """Write no model card."""
 
     def _send_telemetry(self) -> None:
-        """Nothing is sent anywhere."""
+        """Send nothing."""
 
 
 @cache
 def _trainer() -> External:
-    """Return the class, made when TRL is there."""
+    """Return the trainer class, defined once TRL is imported."""
 
     class Trainer(_Silent, library("trl").SFTTrainer):
         """TRL's, with what this module says."""
@@ -187,12 +187,12 @@ def _trainer() -> External:
 
 
 def _scale(trainer: External) -> int:
-    """Return how many times the loss of one process counts: several processes' gradients are averaged."""
+    """Return the factor on the loss of one process, since gradients of processes are averaged."""
     return trainer.accelerator.num_processes if trainer.args.average_tokens_across_devices else 1
 
 
 def _loss(model: External, inputs: External, tokens: External, scale: int) -> External:
-    """The cross-entropy of completions, nats: over all `tokens` of a step, times `scale`; or its mean in this batch."""
+    """Return the cross-entropy of completions, nats: over all `tokens` of a step, or the mean of a batch."""
     labels = inputs["labels"][:, 1:]
     held = {name: inputs[name] for name in ("input_ids", "attention_mask")}
     logits = model(**held, use_cache=False).logits[:, :-1]
@@ -206,10 +206,10 @@ def _loss(model: External, inputs: External, tokens: External, scale: int) -> Ex
 
 @cache
 def _callback() -> External:
-    """Return the class, made when transformers is there."""
+    """Return the callback class, defined once transformers is imported."""
 
     class SftCallback(library("transformers").TrainerCallback):
-        """Writes our log, and marks checkpoints that are whole."""
+        """A callback that writes the log, and marks complete checkpoints."""
 
         def __init__(self, owner: External, folder: SftFolder, advance: Advance) -> None:
             self.owner, self.folder, self.advance, self.since = owner, folder, advance, time.perf_counter()

@@ -1,4 +1,4 @@
-"""Where problems to train on come from. One file for each kind; a configuration mixes them by weight."""
+"""Sources of training problems, one module per kind, mixed by weight in a configuration."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
@@ -17,7 +17,7 @@ __all__ = ["SOURCES", "ProblemSource", "source_from"]
 
 
 class ProblemSource(BaseModel, ABC):
-    """An endless supply of problems, in cells that a curriculum may weigh; each subclass is a kind."""
+    """An endless source of problems in cells that a curriculum may weight; each subclass is a kind."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
@@ -28,11 +28,11 @@ class ProblemSource(BaseModel, ABC):
     @property
     @abstractmethod
     def cells(self) -> tuple[str, ...]:
-        """The names of its cells, one or more."""
+        """Return the names of the source's cells, at least one."""
 
     @abstractmethod
     def at(self, cell: str, index: int) -> Problem | None:
-        """The `index`-th problem of a cell, the same whenever and wherever it is asked for; None if there is none.
+        """Return the `index`-th problem of a cell, always the same; None if there is none.
 
         Raises:
             EvaluationError, DatasetError: a file or folder that cannot be read.
@@ -43,7 +43,7 @@ SOURCES: Registry[type[ProblemSource]] = Registry("training.sources")
 
 
 def source_from(settings: Mapping[str, object], place: str) -> ProblemSource:
-    """Return the source that settings describe; its `kind` is a registered name.
+    """Return the source described by settings; `kind` is its registered name.
 
     Raises:
         TrainingError: a setting that is unknown, missing or makes no sense.

@@ -1,4 +1,4 @@
-"""Problems of a finished dataset or of any benchmark's file, again and again, each time in another order."""
+"""Problems of a finished dataset or a benchmark's file, repeated in a new order each time."""
 
 from collections.abc import Iterator
 from typing import Annotated, Any
@@ -22,7 +22,7 @@ BY = "difficulty"
 
 @SOURCES.register("benchmark")
 class BenchmarkSource(ProblemSource):
-    """What a benchmark asks: a folder of ours, or a file of questions such as another corpus of a mixture."""
+    """Problems of a benchmark: a dataset folder, or a file of questions."""
 
     benchmark: dict[str, Any]
     """Its settings, as an evaluation has them: kind, file or dataset, columns, scoring."""
@@ -54,11 +54,11 @@ class BenchmarkSource(ProblemSource):
 
     @property
     def cells(self) -> tuple[str, ...]:
-        """The difficulties, where its items have some; else the source is one cell."""
+        """Return the difficulties if the items have some; else a single cell."""
         return tuple(self._held)
 
     def at(self, cell: str, index: int) -> Problem | None:
-        """Return the `index`-th of its passes, each through all of the cell."""
+        """Return the `index`-th problem of repeated passes through the cell."""
         held = self._held[cell]
         turn, place = divmod(index, len(held))
         order = generator("order", self.seed, self.name, cell, turn).permutation(len(held))
@@ -66,6 +66,6 @@ class BenchmarkSource(ProblemSource):
         return Problem(item=item, source=self.name, cell=cell)
 
     def items(self) -> Iterator[BenchmarkItem]:
-        """Yield all that it holds."""
+        """Yield all problems of the benchmark."""
         for held in self._held.values():
             yield from held

@@ -1,4 +1,4 @@
-"""Studies: one configuration of reinforcement learning, changed in several ways, each with several seeds.
+"""Studies: one configuration of reinforcement learning with variations (arms) and seeds.
 
 OUT/runs/ARM-SEED   a run of reinforcement learning; ARM-SEED.yaml is its configuration, ARM-SEED.log what it said
 OUT/report/         all of it on a page

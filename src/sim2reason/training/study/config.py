@@ -1,4 +1,4 @@
-"""The configuration of a study: a run of reinforcement learning, what arms change in it, and seeds."""
+"""Configuration of a study: a base run of reinforcement learning, the changes of each arm, and seeds."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -25,24 +25,24 @@ SEEDS = TypeAdapter[tuple[int, ...]](Seeds)
 
 
 def _base(given: object) -> object:
-    """Return the settings themselves, or a file of them."""
+    """Return the base settings, given directly or as a file."""
     return settings_in(Path(given)) if isinstance(given, str | Path) else given
 
 
 class Arm(NamedTuple):
-    """One run of a study."""
+    """One run of a study: an arm with a seed."""
 
     name: str
     seed: int
 
     @property
     def run(self) -> str:
-        """The name of its folder."""
+        """Return the name of the run's folder."""
         return f"{self.name}-{self.seed}"
 
 
 class TrainingStudy(BaseModel):
-    """What is run."""
+    """The settings of a study."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
@@ -74,26 +74,26 @@ class TrainingStudy(BaseModel):
 
     @property
     def runs(self) -> list[Arm]:
-        """All of them, in order."""
+        """Return all runs in order."""
         seeds = dict.fromkeys(seed for name in self.arms for seed in self.seeds_of(name))
         return [Arm(name, seed) for seed in seeds for name in self.arms if seed in self.seeds_of(name)]
 
     def seeds_of(self, arm: str) -> tuple[int, ...]:
-        """Return those of an arm; ValueError if what it gives are none."""
+        """Return the seeds of an arm; ValueError if they are invalid."""
         return SEEDS.validate_python(self.arms[arm]["seeds"]) if "seeds" in self.arms[arm] else self.seeds
 
     def first(self, arm: str) -> ReinforcementLearning:
-        """Return the run of an arm with its first seed."""
+        """Return the configuration of an arm with its first seed."""
         return self.configs[Arm(arm, self.seeds_of(arm)[0])]
 
     @cached_property
     def settings(self) -> dict[Arm, Settings]:
-        """Return what ``train rl`` is given for each run."""
+        """Return the settings of ``train rl`` for each run."""
         return {arm: self._settings(arm) for arm in self.runs}
 
     @cached_property
     def configs(self) -> dict[Arm, ReinforcementLearning]:
-        """The same, read."""
+        """Return the parsed configuration of each run."""
         found: dict[Arm, ReinforcementLearning] = {}
         for arm, settings in self.settings.items():
             try:
@@ -117,7 +117,7 @@ class TrainingStudy(BaseModel):
 
 
 def _merged(base: Mapping[str, Any], change: Mapping[str, Any]) -> Settings:
-    """Settings with others in their place."""
+    """Return settings with changes merged into them."""
     found = dict(base)
     for name, value in change.items():
         held = found.get(name)
@@ -127,7 +127,7 @@ def _merged(base: Mapping[str, Any], change: Mapping[str, Any]) -> Settings:
 
 
 def _drawn_anew(given: object, seed: int) -> object:
-    """Return a source of problems as a run of that seed draws from it; a file has no seed."""
+    """Return a source with its seed derived for a run; a file has no seed."""
     if not isinstance(given, Mapping) or "seed" not in given:
         return cast("object", given)
     settings = cast("Settings", given)
@@ -136,9 +136,9 @@ def _drawn_anew(given: object, seed: int) -> object:
 
 
 def study_from(config: "Path | str | Mapping[str, object] | TrainingStudy", out: Path | None = None) -> TrainingStudy:
-    """Return what a YAML file, or settings, describe; `out` stands for the folder that they name.
+    """Return the study in a YAML file or settings; `out` overrides the output folder.
 
-    Paths in it are seen from where the program runs.
+    Relative paths refer to the current working directory.
 
     Raises:
         TrainingError: what is missing, unknown or makes no sense; the line names its place.

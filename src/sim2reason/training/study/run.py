@@ -1,4 +1,4 @@
-"""All runs of a study, each in processes of its own; the same call goes on where it ended."""
+"""Execution of all runs of a study, each in its own processes, with resumption."""
 
 # torch is an extra:
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
@@ -22,7 +22,7 @@ from sim2reason.training.study.config import Arm, TrainingStudy, study_from
 
 __all__ = ["prepare_study", "train_study"]
 
-LONGEST = 300  # characters of what a failed run said last
+LONGEST = 300  # characters of a failed run's last output
 PARTIAL = ".part"
 
 
@@ -33,11 +33,10 @@ def train_study(
     begun: Callable[[str, int], object] = lambda phase, steps: None,  # noqa: ARG005 - names say what is told
     advance: Callable[[int], object] = lambda _: None,
 ) -> dict[str, Trained]:
-    """Make all runs that a YAML file, or settings, say; by their names what came of them.
+    """Run all runs of a study; return the results by name.
 
-    `out` stands for the folder that they name. Runs that are finished stay as they are, and those that were broken off
-    go on. A warm start that several runs have is made once. `begun` is told how many runs there are, `advance` how many
-    more are done.
+    `out` overrides the output folder. Finished runs are kept, and interrupted ones continue. A warm start common to
+    several runs is trained once. `begun` receives the number of runs, `advance` the numbers of newly finished ones.
 
     Raises:
         TrainingError: a configuration or folder that cannot be used, or runs that failed: the others are made before.
@@ -65,10 +64,10 @@ def prepare_study(
     begun: Callable[[str, int], object] = lambda phase, steps: None,  # noqa: ARG005 - names say what is told
     advance: Callable[[int], object] = lambda _: None,
 ) -> Path:
-    """Do what comes before reinforcement learning, as `prepare_rl` does, once for each warm start of a study.
+    """Run the steps before reinforcement learning once for each warm start of a study.
 
-    `begun` is told how many runs have one of their own, `advance` how many more are prepared. `train_study`, with the
-    same arguments, goes on in the folder given.
+    `begun` receives the number of different warm starts, `advance` the numbers of newly prepared ones. `train_study`,
+    with the same arguments, continues in the returned folder.
 
     Raises:
         TrainingError, MissingExtraError, DatasetError: as `train_study` does.
@@ -90,7 +89,7 @@ def _checked(config: Path | str | Mapping[str, object] | TrainingStudy, out: Pat
 
 
 def _all_made(failed: Mapping[str, str], runs: int) -> None:
-    """TrainingError if some were not."""
+    """Raise TrainingError if some runs failed."""
     if failed:
         told = "; ".join(f"{run}: {why}" for run, why in failed.items())
         raise TrainingError(f"{len(failed)} of {runs} runs failed, the others are finished; {told}")
@@ -101,7 +100,7 @@ def _folder(study: TrainingStudy, arm: Arm) -> TrainingFolder:
 
 
 def _claim(study: TrainingStudy, arm: Arm) -> None:
-    """Make the folder of a run; TrainingError if it could not begin, or the folder holds another configuration's."""
+    """Create the folder of a run; TrainingError if the run could not start, or the folder is another's."""
     folder = _folder(study, arm)
     try:
         with working_in(folder.path):
@@ -113,7 +112,7 @@ def _claim(study: TrainingStudy, arm: Arm) -> None:
 
 
 def _finished(study: TrainingStudy, arm: Arm) -> bool:
-    """Return whether a run is trained, and reported on."""
+    """Return whether a run is trained and reported."""
     folder = _folder(study, arm)
     return folder.result() is not None and folder.report.is_file()
 
@@ -121,9 +120,9 @@ def _finished(study: TrainingStudy, arm: Arm) -> bool:
 def _warm_starts(
     study: TrainingStudy, until: Stage, advance: Callable[[int], object] = lambda _: None
 ) -> dict[str, str]:
-    """Prepare the first run of each warm start, and lay what it has made into the folders of the others.
+    """Prepare the first run of each warm start, and share its files with the other runs.
 
-    Of the runs that cannot begin, what the preparation of theirs said last.
+    Returns the last output of failed preparations, by run.
     """
     firsts = _firsts(study)
     open_ones = [first for first, arms in firsts.items() if not all(_finished(study, arm) for arm in arms)]
@@ -139,7 +138,7 @@ def _warm_starts(
 
 
 def _firsts(study: TrainingStudy) -> dict[Arm, list[Arm]]:
-    """By the first of them, the runs that have the same warm start and the same held-out problems."""
+    """Return the runs with equal warm start and held-out problems, by the first of them."""
     known = dict[str, list[Arm]]()
     for arm in study.runs:
         config = study.configs[arm].decisive
@@ -153,7 +152,7 @@ def _made(
     until: Stage | None = None,
     advance: Callable[[int], object] = lambda _: None,
 ) -> dict[str, str]:
-    """Make these runs, or prepare them; of those that failed, what they said last."""
+    """Execute or prepare runs; return the last output of those that failed, by name."""
     running, failed = dict[Arm, Popen[bytes]](), dict[str, str]()
     with ThreadPoolExecutor(study.workers) as pool:
         try:
@@ -171,7 +170,7 @@ def _made(
 
 
 def _share(study: TrainingStudy, first: Arm, arm: Arm) -> None:
-    """Lay what the first run has made for both into the folder of another."""
+    """Link the prepared files of the first run into the folder of another."""
     earlier, folder = _folder(study, first), _folder(study, arm)
     if first == arm:
         return
@@ -187,7 +186,7 @@ def _share(study: TrainingStudy, first: Arm, arm: Arm) -> None:
 
 
 def _linked(source: Path, target: Path) -> None:
-    """The same files under another name, whole or not at all; what a training goes on from is left out."""
+    """Link a folder atomically under another name, without the files of training itself."""
     partial = target.with_name(target.name + PARTIAL)
     shutil.rmtree(partial, ignore_errors=True)
     try:
@@ -199,7 +198,7 @@ def _linked(source: Path, target: Path) -> None:
 
 
 def _make(study: TrainingStudy, arm: Arm, until: Stage | None, running: dict[Arm, Popen[bytes]]) -> str:
-    """Make one run, or prepare it; what it said last if it failed."""
+    """Execute or prepare one run; return its last output if it failed, else an empty text."""
     folder = _folder(study, arm).path
     log = folder.with_name(f"{arm.run}.log")
     with log.open("ab") as said:

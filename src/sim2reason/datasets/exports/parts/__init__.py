@@ -1,1 +1,1 @@
-"""What all exports share."""
+"""Helpers shared by all exports."""

@@ -1,4 +1,4 @@
-"""Export of a dataset into the folder that another library reads."""
+"""Writing of an export: the folder that another library reads."""
 
 import json
 import shutil
@@ -27,7 +27,7 @@ UNKNOWN = f"# {NAME}: write here the path of a clone of its repository"
 
 
 def requirement() -> str:
-    """Return the requirements line by which pip installs the library from its source; a comment if that is unknown."""
+    """Return the pip requirement line of the library's source; a comment if it is unknown."""
     try:
         origin: dict[str, Any] = json.loads(distribution(NAME).read_text("direct_url.json") or "{}")
     except PackageNotFoundError:
@@ -43,14 +43,14 @@ def requirement() -> str:
 # pyright: reportUnknownVariableType=false, reportUnknownArgumentType=false
 
 
-BATCH = 1000  # rows that are held at once
+BATCH = 1000  # rows in memory at once
 BYTES: dict[str, Any] = {"compression": "zstd", "compression_level": 3, "version": "2.6"}
 """All that decides about the bytes of Parquet; none of it depends on the clock or the machine's cores."""
 PLAIN = {str: pa.string(), int: pa.int64(), float: pa.float64()}
 
 
 def write(path: Path, rows: Iterable[Row], columns: Mapping[str, Column]) -> int:
-    """Write rows, and give their number: Parquet if there are columns. The same rows give the same bytes."""
+    """Write rows and return their number: Parquet if `columns` are given, else JSON lines; deterministic."""
     return _parquet(path, rows, columns) if columns else _lines(path, rows)
 
 
@@ -159,7 +159,7 @@ def export(
 
 @dataclass
 class _Writing:
-    """The state of an export: what to write, where, and the number of items left out."""
+    """The state of an export: the data, the folder, and the number of omitted items."""
 
     export: Export
     dataset: Dataset
@@ -169,7 +169,7 @@ class _Writing:
     left_out: int = field(default=0, init=False)
 
     def split(self, name: str) -> int:
-        """Write the file of a split and give the number of its rows; one without rows gets none."""
+        """Write the file of a split and return the number of its rows; no file without rows."""
         path, count = self.place / self.export.data.format(split=name), 0
 
         def fill(temporary: Path) -> None:
@@ -196,7 +196,7 @@ class _Writing:
 
 
 def _copy(export: Export, place: Path, rows: dict[str, int], dataset: Dataset) -> None:
-    """Put beside the data what else the library needs: Python as it is, other texts with their marks filled in."""
+    """Copy the export's files beside the data: Python unchanged, placeholders in other texts filled in."""
     counts = "\n".join(f"- `{export.data.format(split=name)}`: {count} problems" for name, count in rows.items())
     marks = {
         "{split}": next((name for name in EVALUATED if name in rows), list(rows)[-1]),
@@ -217,7 +217,7 @@ def _copy(export: Export, place: Path, rows: dict[str, int], dataset: Dataset) -
 
 @contextmanager
 def _replacing(folder: Path) -> Generator[Path, None, None]:
-    """Return a folder beside `folder` that takes its name when the block ends well, and is removed when it doesn't."""
+    """Return a context with a temporary folder that replaces `folder` on success, and is removed on failure."""
     if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
         raise DatasetError(f"{folder}: is there already, and nothing is overwritten; give a new folder or remove it")
     if folder.exists() and folder.samefile("."):

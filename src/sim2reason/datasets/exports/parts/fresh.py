@@ -1,4 +1,4 @@
-"""Fresh problems in the rows of an export, drawn without end as a trainer asks for them."""
+"""Endless fresh problems as rows of an export, generated when a trainer requests them."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
@@ -83,7 +83,7 @@ def iterable(  # noqa: PLR0913 - what is drawn, by name
 
 
 class FreshRows:
-    """Rows of problems that are drawn on request, by number or in order.
+    """Rows of problems generated on request, by number or in order.
 
     Each iteration begins anew. The row at a position is always the same. The object is small and can be pickled.
 
@@ -103,11 +103,11 @@ class FreshRows:
         return f"<FreshRows for {self.to!r} from position {self._positions.start} on>"
 
     def __iter__(self) -> Iterator[dict[str, Any]]:
-        """Return an iterator over the rows in order, without items that the export can't hold."""
+        """Return an iterator over the rows in order, without items that the export cannot represent."""
         return (row for position in self._positions if (row := self._row(position)) is not None)
 
     def __getitem__(self, number: int) -> dict[str, Any]:
-        """Return the row of a number, counted from 0.
+        """Return the row with a number, counted from 0.
 
         Raises:
             IndexError: there are fewer rows.
@@ -120,7 +120,7 @@ class FreshRows:
         return row
 
     def shards(self, number: int) -> "list[FreshRows]":
-        """Split the rows into `number` interleaved parts, a part for each process that draws."""
+        """Split the rows into `number` interleaved parts, one for each process."""
         every = whole("shards", number)
         if not every:
             raise DatasetError("shards: 0 of them hold nothing; give one or more")

@@ -1,4 +1,4 @@
-"""What several exports say of an item in the same words."""
+"""Text shared by several exports: conversations, facts and solutions of items."""
 
 from typing import TypedDict
 
@@ -16,12 +16,12 @@ class Message(TypedDict):
 
 
 def asked(prompt: str) -> list[Message]:
-    """Return a conversation that begins with the problem; the problem itself says how to answer."""
+    """Return a conversation with the problem as its first message, which includes the answer format."""
     return [{"role": "user", "content": prompt}]
 
 
 def facts(item: Item) -> dict[str, str]:
-    """Return what results are grouped by."""
+    """Return the properties of an item by which results are grouped."""
     return {name: getattr(item, name) for name in FACTS}
 
 

@@ -1,1 +1,1 @@
-"""What loaders of benchmarks share."""
+"""Helpers shared by the loaders of benchmarks."""

@@ -1,4 +1,4 @@
-"""A benchmark that is read from a file of rows."""
+"""Benchmarks that are read from a file of rows."""
 
 import re
 from abc import abstractmethod
@@ -18,7 +18,7 @@ _SHA = re.compile(r"[0-9a-fA-F]{64}")
 
 
 class FileBenchmark(Benchmark):
-    """Problems in a file of rows, here or on the hub."""
+    """Problems in a file of rows, local or on the Hugging Face Hub."""
 
     file: Path | None = None
     """A .json, .jsonl or .parquet file."""
@@ -43,7 +43,7 @@ class FileBenchmark(Benchmark):
 
     @property
     def path(self) -> Path:
-        """Return where the file lies, once it is there."""
+        """Return the path of the file, after downloading it if necessary."""
         if self.hub is not None:
             return fetched(self.hub)
         assert self.file is not None
@@ -78,7 +78,7 @@ class FileBenchmark(Benchmark):
 
     @property
     def column_of_subject(self) -> str:
-        """Return where a row has its subject."""
+        """Return the name of the column with the subject."""
         return "subject"
 
     def subject_of(self, row: Row) -> str:
@@ -87,13 +87,13 @@ class FileBenchmark(Benchmark):
         return said if isinstance(said, str) else ""
 
     def needs_figure(self, row: Row) -> bool:
-        """Return whether a problem cannot be understood without its figure; by default none needs one."""
+        """Return whether a problem requires its figure; by default none does."""
         del row
         return False
 
     @abstractmethod
     def problem(self, row: Row, number: int) -> BenchmarkItem | None:
-        """Return the problem of the `number`-th row; None for one that this benchmark leaves out.
+        """Return the problem of the `number`-th row; None to omit it.
 
-        KeyError, TypeError and ValueError say that the row is not as it must be.
+        KeyError, TypeError or ValueError if the row is invalid.
         """

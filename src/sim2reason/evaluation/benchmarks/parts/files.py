@@ -1,4 +1,4 @@
-"""Files of benchmarks: here or on the Hugging Face hub, checked by their hash, read as rows."""
+"""Benchmark files, local or on the Hugging Face Hub, verified by their hash and read as rows."""
 
 # pyarrow ships no types:
 # pyright: reportMissingTypeStubs=false, reportUnknownMemberType=false, reportUnknownVariableType=false
@@ -32,7 +32,7 @@ class HubFile(BaseModel):
 
 
 def fetched(file: HubFile) -> Path:
-    """Return the file as the hub's own library keeps it on this machine.
+    """Return the path of a file in the Hub's local cache, after downloading it if necessary.
 
     Raises:
         MissingExtraError: the library is missing.
@@ -51,7 +51,7 @@ def fetched(file: HubFile) -> Path:
 
 
 def rows(path: Path, sha256: str | None = None) -> list[Row]:
-    """Return the rows of a file that ends in .json, .jsonl or .parquet.
+    """Return the rows of a file with the suffix .json, .jsonl or .parquet.
 
     Raises:
         EvaluationError: it is missing, too large, of another hash, or no list of objects.
@@ -84,7 +84,7 @@ def _lines(content: bytes) -> object:
 
 
 def _writable(content: bytes, held: object) -> object:
-    """Return the same, unless it has half of a surrogate pair, which no file can hold (a ValueError)."""
+    """Return the parsed value; ValueError for unpaired surrogates, which no file can contain."""
     if b"\\ud" in content.lower():
         json.dumps(held, ensure_ascii=False).encode()
     return held

@@ -1,4 +1,4 @@
-"""A file of questions with answers, whose columns are settings: for every benchmark that is no more than that."""
+"""Files of questions with answers whose columns are settings."""
 
 from typing import Annotated, Any, cast
 
@@ -18,9 +18,9 @@ ASKED = r"Reason step by step, and end with the answer in \boxed{}."
 
 
 class QuestionFile(FileBenchmark):
-    """A file of rows with a question and its answer each. Columns that a row does not have are taken as empty.
+    """A file with a question and its answer in each row; missing columns count as empty.
 
-    A column may be a path into what is nested, as in ``prompt.0.content``.
+    A column may be a dotted path into nested values, as in ``prompt.0.content``.
     """
 
     question_column: str = "question"
@@ -48,15 +48,15 @@ class QuestionFile(FileBenchmark):
 
     @property
     def column_of_subject(self) -> str:
-        """As the setting says."""
+        """Return the column in the setting."""
         return self.subject_column
 
     def needs_figure(self, row: Row) -> bool:
-        """Return where the column of figures has something in it."""
+        """Return whether the column of figures is not empty."""
         return bool(row.get(self.figure_column))
 
     def problem(self, row: Row, number: int) -> BenchmarkItem:
-        """With what the rule of scoring needs."""
+        """Return the problem of a row, with the reference that the scoring rule needs."""
         question = _at(row, self.question_column)
         if not isinstance(question, str) or not question.strip():
             raise ValueError(f"its {self.question_column} is no text")
@@ -70,7 +70,7 @@ class QuestionFile(FileBenchmark):
         )
 
     def reference(self, row: Row) -> dict[str, JsonValue]:
-        """Return the answer of a row as the rule needs it; ValueError if it is none."""
+        """Return the reference of a row in the form of the scoring rule; ValueError if the answer is invalid."""
         held: Any = _at(row, self.answer_column)
         several = [str(part) for part in cast("list[object]", held)] if isinstance(held, list) else [str(held)]
         if not all(part.strip() for part in several):
@@ -81,7 +81,7 @@ class QuestionFile(FileBenchmark):
         return told | ({"unit": unit} if isinstance(unit, str) else {}) | self._number(several, unit)
 
     def _number(self, several: list[str], unit: object) -> dict[str, JsonValue]:
-        """Return what the rule for one number needs beside that."""
+        """Return the additional reference fields of the rule for one number."""
         if self.scoring != "numeric":
             return {}
         known = unit_or_none(unit)
@@ -94,7 +94,7 @@ class QuestionFile(FileBenchmark):
 
 
 def _at(row: Row, path: str, *, optional: bool = False) -> object:
-    """What a column holds, or what lies in it where its name is a path; KeyError where there is no such place."""
+    """Return the value of a column, or of a dotted path inside it; KeyError if there is none."""
     if path in row:
         return row[path]
     held: object = row

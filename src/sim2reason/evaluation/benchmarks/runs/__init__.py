@@ -1,4 +1,4 @@
-"""Runs: policies answer benchmarks, and every finished sample is on disk at once.
+"""Evaluation runs: policies answer benchmarks, and every finished sample is written to disk immediately.
 
 OUT/run.json                      settings, seeds, hashes of the data; never a key
 OUT/problems/BENCHMARK.jsonl      what is asked, as it was when the run began

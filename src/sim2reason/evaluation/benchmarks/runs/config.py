@@ -1,4 +1,4 @@
-"""The configuration of an evaluation: which policies answer which benchmarks, how often, with which seeds."""
+"""Configuration of an evaluation: policies, benchmarks, numbers of samples, and seeds."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -35,10 +35,10 @@ class _File(BaseModel):
 
 @dataclass(frozen=True)
 class Evaluation:
-    """Policies, benchmarks, and how often each problem is asked.
+    """An evaluation: policies, benchmarks, and numbers of samples for each problem.
 
-    `out` is the folder of the run; the samples of each problem have seeds that follow from `seed`; `judge` rules
-    where a benchmark's scoring asks a judge.
+    `out` is the folder of the run; the seeds of samples derive from `seed`; `judge` rules where a benchmark's scoring
+    needs a judge.
     """
 
     out: Path
@@ -49,26 +49,26 @@ class Evaluation:
     judge: Policy | None = None
 
     def __post_init__(self) -> None:
-        """EvaluationError if two policies or two benchmarks have one name."""
+        """Raise EvaluationError if two policies or two benchmarks have the same name."""
         for what, names in (("policies", self.policies), ("benchmarks", self.benchmarks)):
             held = [each.name for each in names]
             if twice := sorted({name for name in held if held.count(name) > 1}):
                 raise EvaluationError(f"{what}: the name {twice[0]!r} stands twice; give each its own")
 
     def check(self) -> None:
-        """Look whether all policies can be asked, before a run is begun; it raises what `Policy.check` does."""
+        """Check before a run that all policies are available; it raises the errors of `Policy.check`."""
         for policy in (*self.policies, *(() if self.judge is None else (self.judge,))):
             policy.check()
 
     def samples_of(self, benchmark: Benchmark) -> int:
-        """Return how often each problem of a benchmark is asked."""
+        """Return the number of samples for each problem of a benchmark."""
         return benchmark.samples or self.samples
 
 
 def evaluation_from(config: "Path | str | Mapping[str, object] | Evaluation", out: Path | None = None) -> Evaluation:
-    """Return the evaluation that a YAML file, or settings, describe; `out` stands for the folder that they name.
+    """Return the evaluation in a YAML file or in settings; `out` overrides the output folder.
 
-    Paths in it are seen from where the program runs.
+    Relative paths refer to the current working directory.
 
     Raises:
         EvaluationError: what is missing, unknown or makes no sense; the line names its place.
@@ -91,7 +91,7 @@ def _evaluation(file: _File) -> Evaluation:
 
 
 def _policy(settings: Settings, place: str, sampling: Settings) -> Policy:
-    """Return a policy, whose own sampling comes before that of all."""
+    """Return a policy, whose own sampling settings override the common ones."""
     own = settings.get("sampling", {})
     if not isinstance(own, dict):
         raise EvaluationError(f"{place}.sampling: give settings, such as temperature: 1.0")

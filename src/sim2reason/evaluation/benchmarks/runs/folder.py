@@ -26,7 +26,7 @@ class _Record(BaseModel):
 
 
 class PolicyPlan(_Record):
-    """A policy of a run: all its settings, and those that decide its answers."""
+    """The record of a policy in a run: all its settings, and those that affect its answers."""
 
     kind: str
     settings: dict[str, JsonValue]
@@ -34,13 +34,13 @@ class PolicyPlan(_Record):
 
     @property
     def step(self) -> int | None:
-        """After how many steps of training it was saved."""
+        """Return the number of training steps of the checkpoint, if any."""
         found = self.settings.get("step")
         return found if isinstance(found, int) else None
 
 
 class BenchmarkPlan(_Record):
-    """A benchmark of a run."""
+    """The record of a benchmark in a run."""
 
     kind: str
     settings: dict[str, JsonValue]
@@ -52,7 +52,7 @@ class BenchmarkPlan(_Record):
 
 
 class RunRecord(_Record):
-    """``run.json``: what decides the answers of a run, and with which version it was begun."""
+    """The contents of ``run.json``: the settings that determine the answers, and the library's version."""
 
     seed: int
     policies: dict[str, PolicyPlan]
@@ -61,9 +61,9 @@ class RunRecord(_Record):
     versions: dict[str, str]
 
     def difference(self, other: "RunRecord") -> str:
-        """Return the first thing in which `other` cannot go on with this; empty if it can.
+        """Return the first difference for which a run cannot continue with `other`; empty if it can.
 
-        It can with more samples, further policies and further benchmarks.
+        More samples, policies and benchmarks are allowed.
         """
         if self.seed != other.seed:
             return f"seed {self.seed} ≠ {other.seed}"
@@ -78,7 +78,7 @@ class RunRecord(_Record):
         return ""
 
     def joined(self, other: "RunRecord") -> "RunRecord":
-        """This, and what `other` adds; of what both have, that of `other`, but never fewer samples."""
+        """Return the record with the additions and changes of `other`, but never fewer samples."""
         more = {
             name: plan.model_copy(update={"samples": max(plan.samples, self.benchmarks[name].samples)})
             if name in self.benchmarks
@@ -99,10 +99,10 @@ def _first(mine: Mapping[str, object], theirs: Mapping[str, object]) -> str:
 
 
 class RunFolder:
-    """A folder with a run, finished or not."""
+    """The folder of a run, finished or not."""
 
     def __init__(self, path: Path) -> None:
-        """EvaluationError if there is no run."""
+        """Open a run; EvaluationError if the folder contains none."""
         self.path = path
         file = path / RUN
         try:
@@ -116,9 +116,9 @@ class RunFolder:
 
     @classmethod
     def begun(cls, evaluation: Evaluation) -> "RunFolder":
-        """Return the folder of an evaluation, new or gone on with; the caller holds its lock.
+        """Return the folder of an evaluation, new or continued; the caller holds its lock.
 
-        A run to whose problems no answer has come is replaced by another.
+        A run without any answer is replaced.
 
         Raises:
             EvaluationError: the folder holds something else, or a run with which this one can't go on.
@@ -149,7 +149,7 @@ class RunFolder:
         return cls(out)
 
     def items(self, benchmark: str) -> list[BenchmarkItem]:
-        """Return the problems of a benchmark, as they are asked; EvaluationError if the run was begun with others."""
+        """Return the problems of a benchmark; EvaluationError if they differ from those at the start."""
         path = self.path / PROBLEMS / f"{benchmark}.jsonl"
         try:
             with path.open("rb") as lines:
@@ -161,21 +161,21 @@ class RunFolder:
         return found
 
     def samples(self, policy: str, benchmark: str) -> Path:
-        """Return the journal of a policy's answers to a benchmark."""
+        """Return the path of the journal of a policy's answers to a benchmark."""
         return self.path / SAMPLES / policy / f"{benchmark}.jsonl"
 
     def judged(self, policy: str, benchmark: str) -> Path:
-        """Return the journal of what the judge said of them."""
+        """Return the path of the journal of the judge's rulings."""
         return self.path / JUDGED / policy / f"{benchmark}.jsonl"
 
     @property
     def report(self) -> Path:
-        """The folder of its report."""
+        """Return the folder of the report."""
         return self.path / REPORT
 
 
 def _drawn_before(out: Path, benchmark: Benchmark) -> list[BenchmarkItem]:
-    """The problems of a run that is gone on with, where the same settings would draw the same again; else none."""
+    """Return the stored problems of a continued run if its settings would generate the same ones; else none."""
     if not benchmark.pure or not (out / RUN).is_file():
         return []
     before = RunFolder(out)
@@ -203,7 +203,7 @@ def _record(evaluation: Evaluation, items: Mapping[str, Iterable[BenchmarkItem]]
 
 
 def _kind(registry: Mapping[str, type], value: object) -> str:
-    """Return the name under which the class of `value` is registered; that of the class where a program has its own."""
+    """Return the registered name of the class of `value`, or its class name if it is not registered."""
     return next((name for name, kind in registry.items() if kind is type(value)), type(value).__name__)
 
 
@@ -227,9 +227,9 @@ PARTIAL = ".part"
 
 
 def copy_answers(run: Path, out: Path, model: str, copied: str) -> None:
-    """Begin in `out` a run with what policies of `model` have answered in `run`, as answers of its copy at `copied`.
+    """Start a run in `out` with the answers of `model` in `run`, assigned to its copy at `copied`.
 
-    Nothing is begun if there are none. EvaluationError if there is no run.
+    Without such answers no run is started. EvaluationError if `run` contains none.
     """
     found = RunFolder(run)
     policies = {name: plan for name, plan in found.record.policies.items() if plan.decisive.get("model") == model}
@@ -248,6 +248,6 @@ def copy_answers(run: Path, out: Path, model: str, copied: str) -> None:
 
 
 def _of(plan: PolicyPlan, model: str) -> PolicyPlan:
-    """Return the same policy of a model at another place."""
+    """Return the policy with the path of its model replaced."""
     settings, decisive = ({**held, "model": model} for held in (plan.settings, plan.decisive))
     return plan.model_copy(update={"settings": settings, "decisive": decisive})

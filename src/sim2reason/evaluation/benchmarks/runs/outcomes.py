@@ -1,4 +1,4 @@
-"""What became of each sample: its points, and how it ended where it earned none."""
+"""Outcomes of samples: points, and the reasons for zero points."""
 
 from collections.abc import Iterator
 from enum import StrEnum
@@ -16,7 +16,7 @@ __all__ = ["Ending", "SampleOutcome", "ending_of", "outcomes"]
 
 
 class Ending(StrEnum):
-    """How a sample ended; the first that fits, in this order."""
+    """How a sample ended; the first applicable member counts."""
 
     CORRECT = "correct"
     PARTIAL = "partial"
@@ -31,7 +31,7 @@ class Ending(StrEnum):
 
 
 class SampleOutcome(BaseModel):
-    """A scored sample, as ``scores.jsonl`` has it."""
+    """A scored sample, as stored in ``scores.jsonl``."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
@@ -50,7 +50,7 @@ class SampleOutcome(BaseModel):
 
 
 def ending_of(completion: Completion, award: Award) -> Ending:
-    """Return how a sample ended, by its points first, then by what the endpoint said, then by what could be read."""
+    """Return how a sample ended: by its points, then the endpoint's status, then the parsed answer."""
     if award.points > 0.0:
         return Ending.CORRECT if award.points >= 1.0 else Ending.PARTIAL
     by_finish = {"refused": Ending.REFUSED, "overflow": Ending.OVERFLOW, "length": Ending.TRUNCATED}
@@ -62,7 +62,7 @@ def ending_of(completion: Completion, award: Award) -> Ending:
 
 
 def outcomes(folder: RunFolder, policy: str, benchmark: str) -> Iterator[SampleOutcome]:
-    """Yield every finished sample of a policy and a benchmark, scored; samples beyond the plan are left out."""
+    """Yield every finished sample of a policy and benchmark with its score, without samples beyond the plan."""
     items = {item.id: item for item in folder.items(benchmark)}
     rulings = {found.id: found.completion for found in finished(folder.judged(policy, benchmark))}
     for found in finished(folder.samples(policy, benchmark)):

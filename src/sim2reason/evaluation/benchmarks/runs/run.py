@@ -1,4 +1,4 @@
-"""Run an evaluation: ask every policy every problem, then the judge, and write each answer down as it comes."""
+"""Execution of an evaluation: all policies answer all problems, then the judge rules."""
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -20,7 +20,7 @@ Advance = Callable[[int], object]
 
 
 def total_samples(evaluation: Evaluation, folder: RunFolder) -> int:
-    """Return how many answers an evaluation wants."""
+    """Return the number of samples in an evaluation."""
     each = (
         folder.record.benchmarks[benchmark.name].items * evaluation.samples_of(benchmark)
         for benchmark in evaluation.benchmarks
@@ -34,9 +34,9 @@ def run(
     begun: Callable[[int], object] = lambda _: None,
     advance: Advance = lambda _: None,
 ) -> tuple[RunFolder, list[str]]:
-    """Return the folder of the run, with all that could be asked, and why each open sample got no answer.
+    """Run an evaluation; return its folder, and the reasons for samples without an answer.
 
-    `begun` is told how many samples there are, `advance` how many more are finished.
+    `begun` receives the number of samples, `advance` the numbers of newly finished ones.
 
     Raises:
         EvaluationError: a benchmark, or a folder, that can't be used.
@@ -52,7 +52,7 @@ def run(
 
 
 def _answers(evaluation: Evaluation, folder: RunFolder, policy: Policy, advance: Advance) -> list[str]:
-    """Ask one policy all problems; the reasons of those that got no answer."""
+    """Request the answers of one policy to all problems; return the reasons for missing ones."""
     wanted: list[tuple[Path, list[SampleRequest]]] = []
     for benchmark in evaluation.benchmarks:
         prompts = ((item.id, item.prompt) for item in folder.items(benchmark.name))
@@ -62,9 +62,9 @@ def _answers(evaluation: Evaluation, folder: RunFolder, policy: Policy, advance:
 
 
 def _asked(policy: Policy, wanted: list[tuple[Path, list[SampleRequest]]], advance: Advance) -> list[str]:
-    """Ask for all requests, each list into a journal of its own, out of one budget; why those left open are.
+    """Send requests, each list with its own journal, within one budget; return the reasons for missing answers.
 
-    PolicyError if none of them was answered: nobody is there, however few they were.
+    PolicyError if no request was answered, however few there were.
     """
     budget, found = Budget(policy), list[Asked]()
     for path, requests in wanted:
@@ -79,12 +79,12 @@ def _asked(policy: Policy, wanted: list[tuple[Path, list[SampleRequest]]], advan
 
 
 def judged_id(item: str, sample: int) -> str:
-    """By which a judge's journal knows a sample."""
+    """Return the id of a sample in the judge's journal."""
     return f"{item}#{sample}"
 
 
 def _judge(evaluation: Evaluation, folder: RunFolder, judge: Policy) -> list[str]:
-    """Ask the judge about whatever the rules leave to one."""
+    """Request rulings from the judge for samples that the rules leave undecided."""
     wanted = [
         (folder.judged(policy.name, benchmark.name), requests)
         for policy in evaluation.policies

@@ -1,4 +1,4 @@
-"""Rules by which benchmarks score responses. One file each, as published; none of them is the reward."""
+"""Scoring rules of benchmarks, one module each, as published; they are independent of the reward."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
@@ -19,7 +19,7 @@ Reference = Mapping[str, JsonValue]
 
 @dataclass(frozen=True, slots=True)
 class Award:
-    """What a rule gives for a response: from 0 to 1 point, whether there was an answer to read, and why."""
+    """The result of a rule: points from 0 to 1, whether an answer could be parsed, and the reason."""
 
     points: float
     readable: bool = True
@@ -28,38 +28,38 @@ class Award:
 
     @classmethod
     def unreadable(cls, why: str) -> "Award":
-        """Nothing, since no answer could be read."""
+        """Return zero points for a response without a readable answer."""
         return cls(0.0, readable=False, why=why)
 
     @classmethod
     def all_or_nothing(cls, right: bool, parsed: str, why: str = "") -> "Award":  # noqa: FBT001 - the verdict itself
-        """Return one point for a right answer, none for a wrong one."""
+        """Return one point for a correct answer, else zero."""
         return cls(float(right), parsed=parsed, why=why)
 
 
 class Scoring(ABC):
-    """A published rule. `award` is a pure function of the response and the reference."""
+    """A published scoring rule; `award` is a pure function of the response and the reference."""
 
     needs: ClassVar[tuple[str, ...]] = ()
     """Modules that the extra [eval] brings."""
 
     def check(self) -> None:
-        """Look for what it needs, before anyone is asked; MissingExtraError if it is not there."""
+        """Check for required packages before a run; MissingExtraError if one is missing."""
         for name in self.needs:
             if find_spec(name) is None:
                 raise MissingExtraError(name.replace("_", "-"), "eval")
 
     @abstractmethod
     def award(self, response: str, reference: Reference) -> Award:
-        """Return the award for a response, with its thinking; it never raises for anything that a response says."""
+        """Return the award for a response including its thinking; no response text raises an error."""
 
     def question(self, response: str, reference: Reference, prompt: str) -> str | None:
-        """Return what to ask a judge about a response that `award` did not pay; None where the rule alone decides."""
+        """Return the prompt for a judge about a response; None if the rule alone decides."""
         del response, reference, prompt
         return None
 
     def ruling(self, said: str) -> Award:
-        """Return the award by what a judge said; only for rules that ask one."""
+        """Return the award from a judge's text; only for rules with a judge."""
         raise NotImplementedError(said)
 
 

@@ -1,4 +1,4 @@
-"""Scoring of exams: HiPhO, JEEBench and OlympiadBench."""
+"""Scoring rules of the exam benchmarks HiPhO, JEEBench and OlympiadBench."""
 
 import re
 from collections.abc import Mapping
@@ -31,10 +31,10 @@ TOLERANCE = 0.05
 
 
 class HiPhO(Scoring):
-    """By the points of each question of a problem; the last boxes are its answers, in order."""
+    """Scoring by the points of each question of a problem; the last boxes are the answers, in order."""
 
     def award(self, response: str, reference: Reference) -> Award:
-        """By the reference's `parts`, each with `answer`, `unit` and `points`."""
+        """Return the award from the reference's `parts`, each with `answer`, `unit` and `points`."""
         wanted = cast("list[Mapping[str, JsonValue]]", reference["parts"])
         found = boxes(response)[-len(wanted) :]
         if not found:
@@ -64,16 +64,16 @@ SCORINGS.add("hipho", HiPhO())
 
 WITHIN = Fraction(1, 100)
 QUARTER = 0.25
-JEEBENCH_ROUNDING = Fraction(1, 10**9)  # of numbers that were computed from fractions and roots, in floats
+JEEBENCH_ROUNDING = Fraction(1, 10**9)  # tolerance of floating-point numbers from fractions and roots
 ONE, SEVERAL, INTEGER, NUMERIC = "MCQ", "MCQ(multiple)", "Integer", "Numeric"
 TYPES = ONE, SEVERAL, INTEGER, NUMERIC
 
 
 class JEEBench(Scoring):
-    """By JEEBench's own rule: its four types of question, partial credit among them."""
+    """Scoring by JEEBench's own rule for its four types of questions, with partial credit."""
 
     def award(self, response: str, reference: Reference) -> Award:
-        """By the reference's `type` and `answer`."""
+        """Return the award from the reference's `type` and `answer`."""
         answer = str(reference["answer"])
         if reference["type"] in {ONE, SEVERAL}:
             return _options(response, frozenset(answer), partial=reference["type"] == SEVERAL)
@@ -108,8 +108,8 @@ SCORINGS.add("jeebench", JEEBench())
 
 
 ERROR: Final = 1e-8
-LEEWAY: Final = 1.01  # of the error, as published
-SMALL: Final = 0.01  # of a number: the most that it may be off where its item says no error
+LEEWAY: Final = 1.01  # factor on the error, as published
+SMALL: Final = 0.01  # relative tolerance where an item states no error
 OLYMPIADBENCH_ROUNDING: Final = 1e-12  # relative, of floats
 MOST: Final = 12  # answers to one problem
 _PERCENT: Final = re.compile(r"%|(?<![A-Za-z])per ?cent", re.IGNORECASE)
@@ -119,7 +119,7 @@ _CUP: Final = re.compile(r"\\cup(?![A-Za-z])|∪")
 
 
 class _Expected(NamedTuple):
-    """One right answer."""
+    """One correct answer with its error and unit."""
 
     text: str
     error: float | None
@@ -132,10 +132,10 @@ class _Expected(NamedTuple):
 
 
 class OlympiadBench(Scoring):
-    """By OlympiadBench's own rule: numbers within an absolute error, everything else by equality."""
+    """Scoring by OlympiadBench's own rule: numbers within an absolute error, everything else by equality."""
 
     def award(self, response: str, reference: Reference) -> Award:
-        """By the reference's `answer`, `unit` and `error`, each a text as the file has it."""
+        """Return the award from the reference's `answer`, `unit` and `error`, as texts of the file."""
         right = expected_parts(reference)
         found = boxes(response)
         if not found:
@@ -149,7 +149,7 @@ class OlympiadBench(Scoring):
 
 
 def expected_parts(reference: Reference) -> list[_Expected]:
-    """Return the right answers, each with its own error and unit."""
+    """Return the correct answers, each with its own error and unit."""
     answers = _signs(parts(str(reference["answer"])))
     errors = _spread(reference.get("error"), len(answers))
     units = _spread(reference.get("unit"), len(answers))
@@ -166,13 +166,13 @@ def expected_parts(reference: Reference) -> list[_Expected]:
 
 
 def _spread(text: object, count: int) -> list[str]:
-    """Return a list with commas, one entry for each answer; a single entry is meant for all."""
+    """Return a comma-separated list with one entry per answer; a single entry applies to all."""
     held = [part.strip() for part in text.split(",")] if isinstance(text, str) else [""]
     return held if len(held) == count else held[:1] * count
 
 
 def _said(found: list[str], count: int) -> list[str]:
-    """Return what the last box says, or as many boxes as there are answers."""
+    """Return the content of the last box, or of as many boxes as there are answers."""
     last = _signs(parts(found[-1]))
     apart = _signs(parts(found[-1], thousands=False))
     several = _signs([part for content in found[-count:] for part in parts(content)])
@@ -180,7 +180,7 @@ def _said(found: list[str], count: int) -> list[str]:
 
 
 def _signs(answers: list[str]) -> list[str]:
-    """Return each answer with ± as two."""
+    """Return the answers with each ± expanded to two."""
     return [text for answer in answers for text in _two(answer)]
 
 
@@ -205,7 +205,7 @@ def _fits(right: _Expected, said: str) -> bool:
 
 
 def _near(right: _Expected, value: float, said: str) -> bool:
-    """Within the error. What is right in per cent is so as a share, too, within a hundredth of the error."""
+    """Return whether a value is within the error; a fraction may replace a percentage."""
     found = read(said, right.unit, expected=value)
     if found is None:
         return False
@@ -226,7 +226,7 @@ def _pieces(text: str) -> list[str]:
 
 
 def _intervals(one: str, other: str, right: _Expected) -> bool:
-    """Return whether the brackets are the same, and the ends one by one."""
+    """Return whether two intervals have the same brackets and equal ends."""
     ours, theirs = _pieces(one), _pieces(other)
     return len(ours) == len(theirs) and all(
         (a[0], a[-1]) == (b[0], b[-1]) and _ends(parts(a[1:-1]), parts(b[1:-1]), right)

@@ -29,12 +29,12 @@ EQUAL = 1e-6  # relative, of two numbers
 
 _COMMAND: Final = re.compile(r"\\[A-Za-z]+")
 _NAMED: Final = re.compile(r"[A-Za-z]{3,}")  # an answer in words
-_LETTER: Final = re.compile(r".*[0-9.)}\s][A-Za-z]")  # 3g is no three grams in mathematics
+_LETTER: Final = re.compile(r".*[0-9.)}\s][A-Za-z]")  # 3g in mathematics is a product, not three grams
 _UNSOLVED: Final = re.compile(r"[^=]*(?:[0-9+*/^]|\\(?:d?frac|sqrt)(?![A-Za-z])|-)[^=]*=")
 
 
 class MathVerify(Scoring):
-    """Scoring by value where our grammar reads both answers, else by math-verify. Needs: pip install math-verify."""
+    """Scoring by value with the library's parser, else by math-verify. Needs: pip install math-verify."""
 
     needs = ("math_verify",)
 
@@ -43,7 +43,7 @@ class MathVerify(Scoring):
         return Killable(verified, PATIENCE)
 
     def award(self, response: str, reference: Reference) -> Award:
-        """By the reference's `answer`, a text in LaTeX."""
+        """Return the award from the reference's `answer`, a text in LaTeX."""
         self.check()
         found = boxes(response)
         if not found:
@@ -78,10 +78,10 @@ WITHOUT = {Outcome.NO_ANSWER, Outcome.UNREADABLE, Outcome.TOO_LONG}
 
 
 class Numeric(Scoring):
-    """One number within 5 %, or the tolerance of the reference, relative to it: 0 is right for 0 alone."""
+    """Scoring of one number within 5 %, or the reference's tolerance, relative to it; for 0 only 0 is correct."""
 
     def award(self, response: str, reference: Reference) -> Award:
-        """By the reference's `value`, `unit` (None: not known) and `tolerance`."""
+        """Return the award from the reference's `value`, `unit` (None: unknown) and `tolerance`."""
         value, unit = cast("float", reference["value"]), cast("str | None", reference.get("unit"))
         tolerance = cast("float", reference.get("tolerance", NUMERIC_TOLERANCE))
         score = number(response, value, unit, tolerance=tolerance, lenient=bool(reference.get("lenient")))
@@ -92,7 +92,7 @@ class Numeric(Scoring):
 SCORINGS.add("numeric", Numeric())
 
 
-PHYSICS_TOLERANCE = 0.01  # relative, of numbers: what rounding in an answer may do
+PHYSICS_TOLERANCE = 0.01  # relative, for numbers that are rounded in an answer
 JUDGED = """\
 Below are a question of physics, its right final answers, and the final answers that a student gave.
 Say whether the student's answers are all right: the same values, up to rounding, or equivalent expressions.
@@ -112,10 +112,10 @@ End with \\boxed{{yes}} if all are right, else with \\boxed{{no}}."""
 
 
 class Physics(Scoring):
-    """A rule, equal by value; then a judge for whatever the rule does not find equal."""
+    """Scoring by a rule (equal by value), and by a judge for responses that fail the rule."""
 
     def award(self, response: str, reference: Reference) -> Award:
-        """By the reference's `answers`, in any order."""
+        """Return the award from the reference's `answers`, in any order."""
         right = [str(answer) for answer in cast("list[object]", reference["answers"])]
         found = boxes(response)[-len(right) :]
         if not found:
@@ -124,7 +124,7 @@ class Physics(Scoring):
         return Award.all_or_nothing(good, ", ".join(found), "" if good else "not equal by the rule")
 
     def question(self, response: str, reference: Reference, prompt: str) -> str | None:
-        """Return the boxes, beside the right answers; None where there is no box to judge."""
+        """Return the boxes and the correct answers as a prompt; None without a box."""
         right = [str(answer) for answer in cast("list[object]", reference["answers"])]
         found = boxes(response)[-len(right) :]
         if not found:
@@ -133,7 +133,7 @@ class Physics(Scoring):
         return JUDGED.format(prompt=prompt, right="\n".join(right), said=said)
 
     def ruling(self, said: str) -> Award:
-        """Yes is a point, no is none; what is neither is unreadable."""
+        """Return one point for yes, zero for no; anything else is unreadable."""
         *_, last = ["", *boxes(said)]
         word = last.strip().lower().removeprefix(r"\text{").rstrip("}. ")
         if word in {"yes", "no"}:
@@ -154,10 +154,10 @@ SCORINGS.add("physics", Physics())
 
 
 class OwnGrader(Scoring):
-    """By the grader that is the reward, which docs/grading.md describes."""
+    """Scoring by the library's grader, which also gives the reward; see docs/grading.md."""
 
     def award(self, response: str, reference: Reference) -> Award:
-        """By the reference's `answer`, that of an item."""
+        """Return the award from the reference's `answer`, the answer of an item."""
         score = grade_answer(
             Answer.model_validate(reference["answer"]), response, lenient=bool(reference.get("lenient"))
         )

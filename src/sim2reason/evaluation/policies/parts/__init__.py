@@ -1,1 +1,1 @@
-"""What policies share: secrets, requests over HTTP, answers of endpoints, waiting and budgets."""
+"""Helpers shared by policies: secrets, HTTP requests, endpoint replies, delays and budgets."""

@@ -1,4 +1,4 @@
-"""What an OpenAI-compatible endpoint answered, with all that endpoints are known to do wrong."""
+"""Parser of replies of OpenAI-compatible endpoints, including their known defects."""
 
 import json
 import re
@@ -11,7 +11,7 @@ from sim2reason.evaluation.policies.parts.http import NoReply, Reply
 
 __all__ = ["Fault", "read"]
 
-SHOWN: Final = 200  # characters of what an endpoint says about an error
+SHOWN: Final = 200  # characters of an endpoint's error message
 BUSY: Final = {408, 409, 425, 429, 500, 502, 503, 504, 520, 521, 522, 523, 524, 529}
 REFUSES_KEY: Final = {401, 403}
 REFUSES_PROMPT: Final = {400, 413, 422}
@@ -34,7 +34,7 @@ _CONTEXT: Final = ("context_length", "context length", "context size", "context 
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """An answer that is none: `again` if it is worth asking again, `stop` if no other request would fare better."""
+    """A failed reply: `again` if a retry may succeed, `stop` if no other request would succeed either."""
 
     reason: str
     what: Literal["again", "stop"]
@@ -43,7 +43,7 @@ class Fault:
 
 
 def read(reply: Reply | NoReply, hidden: Callable[[str], str]) -> Completion | Fault:
-    """Return the completion in a reply, or what is wrong with it; `hidden` takes keys out of whatever is kept."""
+    """Return the completion in a reply, or its fault; `hidden` removes keys from recorded text."""
     if isinstance(reply, NoReply):
         return Fault(reply.reason, "again")
     if reply.status != 200:
@@ -78,7 +78,7 @@ def _completion(choice: Mapping[str, Any], usage: object, hidden: Callable[[str]
 
 
 def _refusal(reply: Reply, hidden: Callable[[str], str]) -> Completion | Fault:
-    """Return what another status than 200 means. Nothing is repeated of what is said about a key."""
+    """Return the meaning of a status other than 200, without any text about a key."""
     found = _json(reply.body) or {}
     said = _said(found, hidden)
     if reply.status in BUSY:
@@ -93,13 +93,13 @@ def _refusal(reply: Reply, hidden: Callable[[str], str]) -> Completion | Fault:
 
 
 def _remedy(status: int, said: str) -> str:
-    """Return the advice on settings to change after an endpoint has refused a request."""
+    """Return advice on settings after an endpoint rejected a request."""
     found = [remedy for field, remedy in _FIELDS.items() if status in REFUSES_PROMPT and re.search(field, said)]
     return found[0] if found else "see url, model and extra" if status in REFUSES_PROMPT else "see url and model"
 
 
 def _said(found: Mapping[str, object], hidden: Callable[[str], str]) -> str:
-    """Return what the endpoint says about its error, with a colon."""
+    """Return the endpoint's error message after a colon."""
     text = _reason(found.get("error", found.get("message", found.get("detail"))))
     line = " ".join(hidden(_whole(text)).split())[:SHOWN]
     return f": {line}" if line else ""
@@ -131,7 +131,7 @@ def _json(body: bytes) -> dict[str, object] | None:
 
 
 def _text(content: object) -> str:
-    """Return a text, or the texts of a list of parts; empty for what is none."""
+    """Return a text, or the joined texts of a list of parts; empty for anything else."""
     if isinstance(content, str):
         return content
     if isinstance(content, list):
@@ -141,7 +141,7 @@ def _text(content: object) -> str:
 
 
 def _whole(text: str) -> str:
-    """Return the text with a mark for half of a surrogate pair, which no file can hold."""
+    """Return the text with unpaired surrogates replaced, since no file can contain them."""
     return text.encode(errors="replace").decode()
 
 

@@ -1,8 +1,8 @@
-"""Continuations of many prompts at once, by a causal model of transformers with a cache of fixed size.
+"""Batched decoding by a causal transformers model with a fixed-size cache and CUDA graphs.
 
-A small model on a GPU is bound by launches: a pass for one more token is a hundred kernels or more, of microseconds
-each. On a CUDA device such a pass is recorded once as a graph, and replayed for each token. It reads the weights where
-they lie, so it stays true when they are updated in place.
+A small model on a GPU is limited by kernel launches: the pass for one more token takes a hundred or more kernels of
+microseconds. On a CUDA device such a pass is recorded once as a graph, and replayed for each token. It reads the
+weights in place, so it remains valid when they are updated in place.
 """
 
 # transformers and torch are an extra, and ship no types to an environment without them:
@@ -18,14 +18,14 @@ from sim2reason.errors import PolicyError
 __all__ = ["Decoder", "check_recordable"]
 
 Tensor: TypeAlias = Any
-ALIGNED = 16  # a cache's length is a multiple of it, which attention's kernels want of a mask
-CHECK_EVERY = 16  # tokens between two looks at whether all rows have ended: the device is waited for
-WARMUP_PASSES = 2  # before one is recorded: libraries set themselves up in the first
+ALIGNED = 16  # cache lengths are multiples of it, which the attention kernels need for masks
+CHECK_EVERY = 16  # tokens between two checks whether all rows have ended, which synchronize the device
+WARMUP_PASSES = 2  # before recording, because libraries initialise themselves in the first pass
 ATTENTION, LAYER = "sdpa", "StaticLayer"
 
 
 def check_recordable(config: Any) -> None:  # noqa: ANN401 - of transformers
-    """PolicyError for a model whose layers do not all look back as one mask says: in a window, say."""
+    """Raise PolicyError for a model with layers that a single mask does not describe, such as windows."""
     layers = import_module("transformers").StaticCache(config=config, max_cache_len=ALIGNED).layers
     if others := {type(layer).__name__ for layer in layers} - {LAYER}:
         raise PolicyError(f"cuda_graphs: the model has layers with a {', '.join(sorted(others))}; leave it out")
@@ -34,10 +34,10 @@ def check_recordable(config: Any) -> None:  # noqa: ANN401 - of transformers
 
 
 class Decoder:
-    """Continues prompts with one model, whose weights may change between two calls."""
+    """A decoder of prompts with one model, whose weights may change between two calls."""
 
     def __init__(self, model: Any) -> None:  # noqa: ANN401 - of transformers
-        """For a model, which computes in the type of its weights; PolicyError as `check_recordable` says."""
+        """Store a model, which computes in the type of its weights; PolicyError as in `check_recordable`."""
         check_recordable(model.config)
         self._model = model
         self._held: _RecordedPass | None = None
@@ -45,9 +45,9 @@ class Decoder:
     def __call__(
         self, ids: Tensor, mask: Tensor, count: int, choose: Callable[[Tensor], Tensor], ends: Collection[int]
     ) -> Tensor:
-        """At most `count` tokens behind each prompt, of shape (rows, tokens); what follows an end is arbitrary.
+        """Return at most `count` tokens after each prompt, (rows, tokens); values after an end are arbitrary.
 
-        `ids` and `mask` have the shape (rows, width), padded at the left; `choose` gives a token for each row of the
+        `ids` and `mask` have the shape (rows, width), padded on the left; `choose` returns a token for each row of the
         logits, of shape (rows, vocabulary).
         """
         torch = import_module("torch")
@@ -69,12 +69,12 @@ class Decoder:
             self._model.train(training)
 
     def _on_its_device(self) -> AbstractContextManager[None]:
-        """Streams and graphs are made on the current device, which need not be the model's."""
+        """Return a context in which the model's device is the current one."""
         device = self._model.device
         return import_module("torch").cuda.device(device) if device.type == "cuda" else nullcontext()
 
     def _recorded(self, rows: int, length: int) -> "_RecordedPass":
-        """Return the pass for at least so many rows and tokens; the last one, if it has room."""
+        """Return a recorded pass for at least these rows and tokens; the last one, if it is large enough."""
         held = self._held
         if held is None or held.rows < rows or held.length < length:
             rows, length = (rows, length) if held is None else (max(rows, held.rows), max(length, held.length))
@@ -84,7 +84,7 @@ class Decoder:
 
 
 class _RecordedPass:
-    """One more token for each row: what it reads and writes stays where it is."""
+    """A recorded pass for one token per row, with inputs and outputs at fixed addresses."""
 
     def __init__(self, model: Any, rows: int, length: int) -> None:  # noqa: ANN401 - of transformers
         self.rows, self.length = rows, length
@@ -102,7 +102,7 @@ class _RecordedPass:
             self._record()
 
     def prefill(self, ids: Tensor, mask: Tensor) -> Tensor:
-        """Read prompts; the logits of their next tokens, (rows, vocabulary)."""
+        """Process prompts; return the logits of their next tokens, (rows, vocabulary)."""
         torch, width = self._torch, ids.shape[1]
         ids, mask = self._filled(ids), self._filled(mask.bool())
         self._cache.reset()
@@ -118,7 +118,7 @@ class _RecordedPass:
         return logits
 
     def step(self, tokens: Tensor) -> Tensor:
-        """Read one token of each of the first rows; the logits of the next ones."""
+        """Process one token of each of the first rows; return the logits of the next tokens."""
         self._token[: len(tokens), 0].copy_(tokens)
         if self._graph is None:
             return self._next()
@@ -126,7 +126,7 @@ class _RecordedPass:
         return self._logits
 
     def _filled(self, given: Tensor) -> Tensor:
-        """As many rows as there are: the last one again."""
+        """Return the tensor padded to the full number of rows by repeating the last one."""
         return self._torch.cat([given, given[-1:].expand(self.rows - len(given), -1)])
 
     def _next(self) -> Tensor:
@@ -137,7 +137,7 @@ class _RecordedPass:
         return logits
 
     def _forward(self, ids: Tensor, visible: Tensor, position_ids: Tensor, **given: int) -> Tensor:
-        """Logits of the last token; the class's own pass, without what a trainer has wrapped about it."""
+        """Return the logits of the last token from the class's own pass, without a trainer's wrappers."""
         run, named = type(self._model).forward, {"attention_mask": visible, "position_ids": position_ids}
         found = run(self._model, input_ids=ids, past_key_values=self._cache, use_cache=True, **named, **given)
         return found.logits[:, -1].float()

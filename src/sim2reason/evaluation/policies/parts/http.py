@@ -1,4 +1,4 @@
-"""HTTP requests of bounded time and size, their retries, and the key that they carry."""
+"""HTTP requests with limits on time and size, their retries, and their authorization key."""
 
 import os
 import re
@@ -17,14 +17,14 @@ from sim2reason.errors import PolicyError
 
 __all__ = ["PRINTABLE", "VARIABLE", "NoReply", "Reply", "Secret", "delay", "from_environment", "post"]
 
-FIRST, LONGEST, ASKED = 1.0, 60.0, 300.0  # s: the first wait, the longest of ours, the longest that a server may ask
-WORTH_IT: Final = 2.0  # the factor from one wait to the next
+FIRST, LONGEST, ASKED = 1.0, 60.0, 300.0  # s: first and longest delay, and longest one that a server may request
+WORTH_IT: Final = 2.0  # factor between successive delays
 
 
 def delay(attempt: int, seed: int, asked: float | None = None) -> float:
-    """Seconds to wait after the `attempt`-th failure, counted from zero.
+    """Return the delay after the `attempt`-th failure, counted from zero, s.
 
-    It doubles up to a minute, less a part of up to a half that hangs on `seed` and `attempt` alone; at least as long
+    It doubles up to a minute, minus a fraction of up to one half determined by `seed` and `attempt`; at least as long
     as the server `asked`, up to five minutes.
     """
     most = min(FIRST * WORTH_IT ** min(attempt, 30), LONGEST)
@@ -39,30 +39,30 @@ PRINTABLE: Final = re.compile(r"[!-~]+")
 
 
 class Secret:
-    """A text that no representation shows; empty where no key is needed."""
+    """A text that no representation shows; empty if no key is needed."""
 
     __slots__ = ("_text",)
 
     def __init__(self, text: str = "") -> None:
-        """Keep `text`."""
+        """Store the key."""
         self._text = text
 
     def __repr__(self) -> str:
-        """Tell nothing: locals of a traceback are shown so."""
+        """Return a fixed text, so that tracebacks do not show the key."""
         return f"Secret({HIDDEN})"
 
     def headers(self) -> dict[str, str]:
-        """Return the header that carries the key, if there is one."""
+        """Return the header with the key, or no header without one."""
         return {"Authorization": f"Bearer {self._text}"} if self._text else {}
 
     def hidden(self, text: str) -> str:
-        """`text` with the key made unreadable wherever it stands, also as an address would spell it."""
+        """Return `text` with the key masked, also in its URL-encoded form."""
         for spelling in self._spellings:
             text = text.replace(spelling, HIDDEN)
         return text
 
     def stands_in(self, value: JsonValue) -> bool:
-        """Return whether the key stands anywhere in a text, or in the texts and names of a list or an object."""
+        """Return whether the key occurs in a text, or in any text or name within a list or object."""
         match value:
             case str():
                 return any(spelling in value for spelling in self._spellings)
@@ -75,12 +75,12 @@ class Secret:
 
     @property
     def _spellings(self) -> set[str]:
-        """As it is, and as an address would have it."""
+        """Return the key in plain and URL-encoded form."""
         return {self._text, quote(self._text, safe="")} - {""}
 
 
 def from_environment(variable: str | None, environment: Mapping[str, str] = os.environ) -> Secret:
-    """Return the key that the variable holds; PolicyError, which names the variable alone, if none could be sent."""
+    """Return the key in an environment variable; PolicyError, with only the variable's name, if it is invalid."""
     if variable is None:
         return Secret()
     key = environment.get(variable, "").strip()
@@ -97,7 +97,7 @@ CHUNK: Final = 2**16
 
 @dataclass(frozen=True, slots=True)
 class Reply:
-    """What a server answered, whatever its status."""
+    """A server's reply with any status."""
 
     status: int
     body: bytes
@@ -107,16 +107,16 @@ class Reply:
 
 @dataclass(frozen=True, slots=True)
 class NoReply:
-    """Why nothing, or nothing whole, came back."""
+    """The reason for a missing or incomplete reply."""
 
     reason: str
 
 
 class _AnyStatus(HTTPErrorProcessor):
-    """Hands every reply on as it is: errors are data here, and redirections are not followed."""
+    """A response handler that accepts every status, and follows no redirections."""
 
     def http_response(self, request: Request, response: HTTPResponse) -> HTTPResponse:
-        """Return the same."""
+        """Return the response unchanged."""
         del request
         return response
 
@@ -124,9 +124,9 @@ class _AnyStatus(HTTPErrorProcessor):
 
 
 def post(url: str, body: bytes, headers: Mapping[str, str], timeout: float) -> Reply | NoReply:
-    """Send `body` as JSON. At most `timeout` seconds pass between two signs of life, and about as many in all.
+    """Send `body` as JSON, with a timeout of `timeout` seconds between data and roughly in total.
 
-    The reason for no reply is the kind of the error alone: its text may hold what was sent.
+    The reason for a missing reply is only the kind of the error, whose text may contain what was sent.
     """
     deadline = time.monotonic() + timeout
     request = Request(url, body, {"Content-Type": "application/json", "User-Agent": "sim2reason", **headers})  # noqa: S310
@@ -146,7 +146,7 @@ def post(url: str, body: bytes, headers: Mapping[str, str], timeout: float) -> R
 
 
 def _read(response: HTTPResponse, deadline: float) -> bytes | str:
-    """Return the whole body, or why not."""
+    """Return the whole body, or the reason why it is incomplete."""
     parts: list[bytes] = []
     size = 0
     while part := response.read1(CHUNK):

@@ -1,4 +1,4 @@
-"""Access to the Hugging Face hub, and the transformers library without its progress bars."""
+"""Access to the Hugging Face Hub, and the transformers library without progress bars."""
 
 from collections.abc import Callable, Generator
 from contextlib import contextmanager
@@ -16,13 +16,13 @@ __all__ = ["explained", "loading", "out_of_reach", "quiet"]
 
 
 PATIENCE = 10.0  # s
-SHOWN = 200  # characters of what the library says about an error
+SHOWN = 200  # characters of the library's error message
 
 
 def out_of_reach(name: str, kind: Literal["model", "dataset"], revision: str | None = None) -> bool:
-    """Whether the hub gives no answer to one question about that name, so that only what this machine keeps is there.
+    """Return whether the Hub is unreachable, so that only the local cache is available.
 
-    What it answers does not matter: whoever loads from it hears the same. ValueError if it can have no such name.
+    Any reply counts as reachable. ValueError if the name is invalid on the Hub.
     """
     hub: Any = import_module("huggingface_hub")
     errors: Any = import_module("huggingface_hub.errors")
@@ -38,7 +38,7 @@ def out_of_reach(name: str, kind: Literal["model", "dataset"], revision: str | N
 
 
 def loading(path: str, revision: str | None = None) -> dict[str, Any]:
-    """What transformers' `from_pretrained` is told, so that it keeps to this machine where the hub is out of reach.
+    """Return the arguments of `from_pretrained` that restrict it to local files if the Hub is unreachable.
 
     Raises:
         ValueError: there is neither such a folder nor such a name.
@@ -54,7 +54,7 @@ def loading(path: str, revision: str | None = None) -> dict[str, Any]:
 
 @contextmanager
 def explained(path: str, error: Callable[[str], Exception]) -> Generator[None]:
-    """Say in one line what the library could not load from a path: raises the `error` made of that line."""
+    """Convert the library's loading errors in the block to the given `error` with one line."""
     try:
         yield
     except (OSError, ValueError, ImportError) as found:
@@ -64,9 +64,9 @@ def explained(path: str, error: Callable[[str], Exception]) -> Generator[None]:
 
 @contextmanager
 def quiet() -> Generator[None, None, None]:
-    """Keep the library's bars and remarks from standard error while the block runs; errors are still raised.
+    """Suppress the library's progress bars and warnings while the block runs; errors are still raised.
 
-    So is what peft 0.21 provokes in transformers 5.23, an old name for a property. MissingExtraError without it.
+    Also suppressed is a warning that peft 0.21 causes in transformers 5.23. MissingExtraError without the library.
     """
     logging = optional("transformers", "train").utils.logging
     verbosity, bars = logging.get_verbosity(), logging.is_progress_bar_enabled()

@@ -1,4 +1,4 @@
-"""Samples of a policy: asked for by several threads, and on disk as soon as they are finished."""
+"""Samples of a policy: requested by several threads, and written to disk when finished."""
 
 from sim2reason.errors import PolicyError
 
@@ -6,4 +6,4 @@ __all__ = ["NoAnswerError"]
 
 
 class NoAnswerError(PolicyError):
-    """A request that got no answer, while others may."""
+    """An error for a request without an answer, while others may succeed."""

@@ -1,4 +1,4 @@
-"""Ask a policy for samples, several at once; each is in the journal as soon as it is finished."""
+"""Concurrent requests for samples of a policy; each is stored in the journal when finished."""
 
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, wait
@@ -15,12 +15,12 @@ from sim2reason.evaluation.policies.samples.journal import SampleJournal
 
 __all__ = ["Asked", "ask", "requests_for", "sample_seed"]
 
-IN_A_ROW = 8  # requests without an answer, after which the endpoint is taken to be down
+IN_A_ROW = 8  # failed requests in a row after which the endpoint counts as down
 
 
 @dataclass
 class Asked:
-    """What became of the requests of one run."""
+    """The result of the requests of one run."""
 
     finished_before: int = 0
     finished_now: int = 0
@@ -29,15 +29,15 @@ class Asked:
 
 
 def sample_seed(seed: int, name: str, sample: int) -> int:
-    """Return a seed of its own for each sample of each problem: the same in every run, from 0 to 2³¹ - 1."""
+    """Return the seed of a sample of a problem, 0 to 2³¹ - 1, the same in every run."""
     digest = blake2b(f"{seed}\0{name}\0{sample}".encode(errors="replace"), digest_size=4, person=b"sample").digest()
     return int.from_bytes(digest, "big") >> 1
 
 
 def requests_for(prompts: Iterable[tuple[str, str]], samples: int, seed: int) -> Iterator[SampleRequest]:
-    """`samples` requests for each pair of an id and a prompt: first one of each, then the second of each.
+    """Yield `samples` requests for each id and prompt: first one of each, then the second of each.
 
-    So a run that is broken off has asked about as many problems as it could.
+    Hence an interrupted run has asked about as many problems as possible.
     """
     pairs = list(prompts)
     for sample in range(samples):
@@ -53,9 +53,10 @@ def ask(
     budget: Budget | None = None,
     advance: Callable[[int], object] = lambda _: None,
 ) -> Asked:
-    """Ask for whatever the journal does not hold. `advance` is told how many more are finished.
+    """Request all samples that the journal does not contain; `advance` receives the numbers finished.
 
-    `budget` is that of several journals, already charged for what they hold; by default one for this journal alone.
+    `budget` may be shared by several journals, and is already charged for their samples; by default it is for this
+    journal alone.
 
     Raises:
         PolicyError: the policy cannot be asked, or its limit is reached; all that was finished stays in the journal.
@@ -82,9 +83,9 @@ def _run(
     asked: Asked,
     advance: Callable[[int], object],
 ) -> None:
-    """Keep `width` batches in flight; stop at the first error that others would meet too.
+    """Keep `width` batches in flight; stop at the first error that would affect others.
 
-    What is in flight then is waited for, since it is paid for; not so when a person interrupts.
+    Batches in flight are then awaited, since they are paid for, except when a person interrupts.
     """
     running: set[Future[int]] = set()
     row = 0
@@ -111,7 +112,7 @@ def _run(
 
 
 def _begun(work: Callable[[list[SampleRequest]], int], batch: list[SampleRequest]) -> Future[int]:
-    """Work on a batch in a thread of its own, which no interrupted program waits for."""
+    """Start a batch in a daemon thread, which does not block an interrupted program."""
     future: Future[int] = Future()
 
     def fulfil() -> None:
@@ -125,7 +126,7 @@ def _begun(work: Callable[[list[SampleRequest]], int], batch: list[SampleRequest
 
 
 def _one(policy: Policy, batch: list[SampleRequest], journal: SampleJournal, budget: Budget) -> int:
-    """Ask for one batch and write it down; how many that were."""
+    """Request one batch and store it in the journal; return its number of samples."""
     most = [budget.most(request) for request in batch]
     total = sum(tokens for tokens, _ in most), sum(cost for _, cost in most)
     budget.reserve(total)

@@ -1,4 +1,4 @@
-"""What a policy may use up: each request sets aside the most that it can need before it is sent."""
+"""Budgets of policies: each request reserves its largest possible use before it is sent."""
 
 from collections.abc import Iterable
 from pathlib import Path
@@ -14,10 +14,10 @@ TEMPLATE = 64  # tokens that a chat template may add to a prompt
 
 
 class Budget:
-    """Tokens and cost of one policy, counted by several threads."""
+    """The tokens and cost of one policy, shared by several threads."""
 
     def __init__(self, policy: Policy) -> None:
-        """Nothing is spent."""
+        """Start with nothing spent."""
         self._policy, self._limits = policy, policy.limits
         self._spent, self._reserved = [0, 0.0], [0, 0.0]
         self._changed = Condition()
@@ -27,11 +27,11 @@ class Budget:
         return tokens_in + tokens_out, price
 
     def most(self, request: SampleRequest) -> tuple[int, float]:
-        """Tokens and cost that a request can need at most: a token has at least one byte."""
+        """Return the largest tokens and cost of a request; a token has at least one byte."""
         return self._cost(len(request.prompt.encode(errors="replace")) + TEMPLATE, self._policy.sampling.max_tokens)
 
     def used(self, completion: Completion, most: tuple[int, float]) -> tuple[int, float]:
-        """Tokens and cost of a completion; the most that it can have needed where nobody counted."""
+        """Return the tokens and cost of a completion, or the largest possible ones if not reported."""
         if completion.finish == "overflow":
             return 0, 0.0
         if completion.prompt_tokens is None or completion.completion_tokens is None:
@@ -39,18 +39,18 @@ class Budget:
         return self._cost(completion.prompt_tokens, completion.completion_tokens)
 
     def charge(self, used: tuple[int, float]) -> None:
-        """Count what was used before."""
+        """Add earlier use."""
         self._spent = [self._spent[0] + used[0], self._spent[1] + used[1]]
 
     def charge_finished(self, journal: Path, requests: Iterable[SampleRequest]) -> None:
-        """Count what a journal's samples used; those that are among `requests` are known best."""
+        """Add the use of a journal's samples; for those in `requests` it is exact."""
         by_key = {(request.id, request.sample): request for request in requests}
         for found in finished(journal):
             request = by_key.get(found.key)
             self.charge(self.used(found.completion, self.most(request) if request else (0, 0.0)))
 
     def reserve(self, most: tuple[int, float]) -> None:
-        """Set `most` aside, waiting for what others set aside; PolicyError if it can't be had."""
+        """Reserve `most`, waiting for other reservations; PolicyError if the budget is insufficient."""
         with self._changed:
             while not self._fits(most):
                 if not self._reserved[0]:
@@ -62,7 +62,7 @@ class Budget:
             self._reserved = [self._reserved[0] + most[0], self._reserved[1] + most[1]]
 
     def settle(self, most: tuple[int, float], used: tuple[int, float]) -> None:
-        """Give back what was set aside, and count what was used."""
+        """Release a reservation and add the actual use."""
         with self._changed:
             self._reserved = [self._reserved[0] - most[0], self._reserved[1] - most[1] if self._reserved[0] else 0.0]
             self.charge(used)

@@ -1,6 +1,6 @@
-"""A journal of finished samples: one JSON line each, appended and synced before the next thing is done.
+"""Journal of finished samples: JSON lines, each synced to disk before the next step.
 
-A kill can tear the last line, and no other: it is cut off when the journal is opened, and that sample asked for again.
+A kill can truncate only the last line; it is removed when the journal is opened, and its sample is requested again.
 """
 
 import fcntl
@@ -20,7 +20,7 @@ from sim2reason.evaluation.policies import Completion, SampleRequest
 __all__ = ["FinishedSample", "SampleJournal", "finished", "prompt_hash"]
 
 
-BLOCK = 2**16  # bytes read at once while the last line feed is looked for
+BLOCK = 2**16  # bytes read at once in the search for the last line feed
 
 
 class FinishedSample(BaseModel):
@@ -37,17 +37,17 @@ class FinishedSample(BaseModel):
 
     @property
     def key(self) -> tuple[str, int]:
-        """Return what no other line has."""
+        """Return the unique key of the line: id and sample number."""
         return self.id, self.sample
 
 
 def prompt_hash(prompt: str) -> str:
-    """Return what a journal keeps of a prompt, to know it again."""
+    """Return the hash of a prompt that a journal stores."""
     return sha256(prompt.encode(errors="replace")).hexdigest()[:16]
 
 
 def finished(path: Path) -> Iterator[FinishedSample]:
-    """Yield the samples of a journal, in the order in which they came; none if there is no file.
+    """Yield the samples of a journal in order of completion; none if the file does not exist.
 
     Raises:
         EvaluationError: a line that is none, but for a torn last one, or the same sample twice.
@@ -74,10 +74,10 @@ def _sample(path: Path, count: int, line: bytes) -> FinishedSample:
 
 
 class SampleJournal:
-    """A journal that is open for more; no other process can have it open at the same time."""
+    """A journal open for appending, locked against other processes."""
 
     def __init__(self, path: Path) -> None:
-        """Open `path`, cut a torn last line off, and read which samples are finished.
+        """Open `path`, remove an incomplete last line, and read the finished samples.
 
         Raises:
             EvaluationError: another run has it open, or a line is damaged.
@@ -98,7 +98,7 @@ class SampleJournal:
             raise
 
     def _cut(self) -> None:
-        """Remove what stands behind the last line feed."""
+        """Remove everything after the last line feed."""
         size = whole = self.path.stat().st_size
         with self.path.open("rb") as file:
             while whole:
@@ -113,27 +113,27 @@ class SampleJournal:
             os.fsync(self._file.fileno())
 
     def __enter__(self) -> Self:
-        """Itself."""
+        """Return the journal."""
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
-        """Close the file, and so release it, between two lines."""
+        """Close the file and release its lock, between two lines."""
         with self._lock:
             self._file.close()
 
     def __len__(self) -> int:
-        """Return how many samples are finished."""
+        """Return the number of finished samples."""
         return len(self._known)
 
     def holds(self, request: SampleRequest) -> bool:
-        """Return whether a request is finished; EvaluationError if it was for another prompt or with another seed."""
+        """Return whether a request is finished; EvaluationError if its prompt or seed differs."""
         known = self._known.get((request.id, request.sample))
         if known is not None and known != (request.seed, prompt_hash(request.prompt)):
             raise EvaluationError(f"{self.path}: {request.id} was asked in other words; choose a new folder")
         return known is not None
 
     def add(self, request: SampleRequest, completion: Completion) -> None:
-        """Write a finished sample; it is on disk when this returns. Safe to call from several threads."""
+        """Write a finished sample and sync it to disk; safe to call from several threads."""
         key, digest = (request.id, request.sample), prompt_hash(request.prompt)
         line = FinishedSample(
             id=request.id, sample=request.sample, seed=request.seed, prompt=digest, completion=completion

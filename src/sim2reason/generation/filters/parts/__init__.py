@@ -1,1 +1,1 @@
-"""What several filters share."""
+"""Helpers shared by several filters."""

@@ -1,4 +1,4 @@
-"""What simplifications do to an answer."""
+"""Effects of misconceptions on an answer."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -12,13 +12,13 @@ from sim2reason.questions.tolerance import NEARLY
 from sim2reason.scenes.dsl.ablation import with_bodies
 from sim2reason.scenes.dsl.mechanism import Mechanism, RigidBody
 
-SAME = 0.02  # of the tolerance: an answer that changes by less is the same
-LONGER = 3.0  # times: how much longer a motion is followed whose answer does not come in time
+SAME = 0.02  # of the tolerance; smaller changes of an answer count as none
+LONGER = 3.0  # factor by which the simulated time is extended if the answer does not occur in time
 
 
 @dataclass(frozen=True, slots=True)
 class Effect:
-    """What one simplification of one part of the scene does to the answer."""
+    """The effect on the answer of one misconception about one part of the scene."""
 
     simplification: Simplification
     subject: str
@@ -29,22 +29,22 @@ class Effect:
 
     @property
     def same(self) -> bool:
-        """Return whether the answer stays what it was."""
+        """Return whether the answer is unchanged."""
         return self.change < SAME * self.tolerance
 
     @property
     def close(self) -> bool:
-        """Return whether the answer would be paid, or nearly."""
+        """Return whether the changed answer would be accepted as correct, or nearly."""
         return self.change < NEARLY * self.tolerance
 
     @property
     def wrong(self) -> bool:
-        """Return whether who makes it errs; nobody does by an approximation that holds."""
+        """Return whether the misconception is an error; an approximation that does not change the answer is none."""
         return not (self.same and self.simplification.sound_if_same)
 
     @property
     def told(self) -> str:
-        """In a line."""
+        """Return the effect in one line."""
         about = f" ({self.subject})" if self.subject else ""
         if self.answer is None:
             return f"{self.simplification.name}{about}: there is no answer any more"
@@ -52,10 +52,10 @@ class Effect:
 
 
 def effects(candidate: Candidate, *, part: bool) -> Iterator[Effect]:
-    """Yield those of all simplifications that take a `part` of the scene away, or of all that do not.
+    """Yield the effects of all misconceptions that remove a part of the scene, or of all others.
 
-    Nothing that the question itself speaks of is taken away or held. What such answers by nature do not depend on may
-    well be left out, as how it begins of the period of small oscillations: that is no slip.
+    Objects named in the question are never removed or held. Omissions on which answers of this kind never depend, such
+    as the initial state for a period of small oscillations, are not errors.
     """
     for simplification in in_order():
         if simplification.part == part:
@@ -63,7 +63,7 @@ def effects(candidate: Candidate, *, part: bool) -> Iterator[Effect]:
 
 
 def effects_of(simplification: Simplification, candidate: Candidate) -> Iterator[Effect]:
-    """Yield those of one simplification."""
+    """Yield the effects of one misconception on the possible subjects."""
     query, study = candidate.question.query, candidate.study
     subjects = [*simplification.subjects(query, study)]
     if not subjects or _is_beside(simplification, candidate):
@@ -80,9 +80,9 @@ def effects_of(simplification: Simplification, candidate: Candidate) -> Iterator
 
 
 def far_effects(candidate: Candidate) -> Iterator[Effect]:
-    """Yield those of all that is another mechanism, followed for longer, with answers far from the right one.
+    """Yield the effects of misconceptions that change the mechanism, simulated for longer.
 
-    They take the most time.
+    These are the most expensive effects; their answers are usually far from the correct one.
     """
     query, study = candidate.question.query, candidate.study
     until = LONGER * _until(candidate)
@@ -103,9 +103,9 @@ def _effect(
 
 
 def _spared(simplification: Simplification, candidate: Candidate) -> set[str]:
-    """Return the number asked for, and what the question speaks of if a simplification takes it away or holds it.
+    """Return the unknown, and the subjects of the question that the misconception must not remove or hold.
 
-    An empty name is none of these: it stands for the whole scene.
+    The empty name stands for the whole scene and is excluded.
     """
     spared = {candidate.question.unknown}
     if simplification.part or simplification.holds:
@@ -119,25 +119,25 @@ def _until(candidate: Candidate) -> float:
 
 
 def _is_beside(simplification: Simplification, candidate: Candidate) -> bool:
-    """Return whether it reads a motion otherwise, which the answer has nothing to do with."""
+    """Return whether a misconception reinterprets a motion on which the answer does not depend."""
     return isinstance(simplification, OtherReading) and _is_of_no_motion(candidate)
 
 
 def _is_of_no_motion(candidate: Candidate) -> bool:
-    """Return whether the answer follows from the scene alone, as a threshold does, whatever motion is recorded."""
+    """Return whether the answer depends only on the scene, as a threshold does, not on the simulated motion."""
     return candidate.question.query.moment is None and candidate.time == 0.0
 
 
 TURNS = "weight drives it, and bodies that turn resist it by their moments of inertia"
-MORE = 1.1  # times the inertia
-BEARS = 5e-3  # relative: an answer that changes by more hangs on the inertia
+MORE = 1.1  # factor on the inertia
+BEARS = 5e-3  # relative change of the answer from which it depends on the inertia
 
 
 def turns_by_weight(candidate: Candidate) -> bool:
-    """Whether weight bears on the answer, and so does the inertia with which something turns about its own centre.
+    """Return whether the answer depends on weight and on the inertia of rotation about a body's own centre.
 
-    Without weight, as in L = m v R of a hoop that rolls, it may be by definition that inertia bears. And with none at
-    all, what slips would roll: so a little more of it tells more than nothing.
+    Without weight, as in L = m v R of a rolling hoop, the answer may contain the inertia by definition. The test
+    increases the inertia slightly, because without any inertia sliding bodies would roll.
     """
     if not solid(candidate.study.mechanism):
         return False

@@ -1,4 +1,4 @@
-"""How much there is to a formula, however it was put together."""
+"""Size of a formula, independent of its arrangement."""
 
 from collections.abc import Iterator
 
@@ -12,21 +12,21 @@ LENGTH = Symbol("length")
 
 
 def size(whole: Expression) -> int:
-    """Return how many symbols it has at least, each as often as it stands there.
+    """Return the number of symbols in a formula, counted with repetitions; an initial vector counts once.
 
-    The size of a vector that is given is one, and so is a root that stands there again, as √(k/m) in A ω sin ωt.
+    The magnitude of a given vector counts as one symbol, and so does a repeated root, such as √(k/m) in A ω sin ωt.
     """
     shortest = parted(gathered(_with_lengths(whole), symbols_in))
     return symbols_in(shortest) - sum(symbols_in(root) - 1 for root in _again(shortest, set()))
 
 
 def has_logarithm(held: Expression) -> bool:
-    """Return whether there is one, as an integral leaves it."""
+    """Return whether a formula contains a logarithm, as from an integral."""
     return (isinstance(held, Call) and held.function == "ln") or any(map(has_logarithm, held.parts))
 
 
 def _again(held: Expression, seen: set[Expression]) -> Iterator[Expression]:
-    """Yield the roots in it that were met before, as large as they are."""
+    """Yield the roots in a formula that occurred before, largest first."""
     if isinstance(held, Root) and held in seen:
         yield held
         return
@@ -43,7 +43,7 @@ def _with_lengths(held: Expression) -> Expression:
 
 
 def _is_given(component: Expression) -> bool:
-    """Return whether a component is a number of the text, or the difference of two."""
+    """Return whether a vector component is a stated number, or the difference of two."""
     match component:
         case Sum(terms):
             return all(map(_is_given, terms))

@@ -1,4 +1,4 @@
-"""How an answer changes with the stated numbers, and how many of them it needs."""
+"""Sensitivity of an answer to the stated numbers, and the required count of relevant numbers."""
 
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
@@ -9,36 +9,36 @@ from sim2reason.scenes.dsl.model import Parameter
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.solutions.algebra.expressions import Symbol
 
-SHIFT = 1e-3  # relative
-TURN = 10.0  # deg: how far an angle is moved either way, where other numbers are halved and doubled
-SLOWER = 2.2  # times: a motion with a number halved or doubled may take so much longer
-ENOUGH = 3.0  # times the tolerance: a number with such an elasticity moves the answer beyond it when it is doubled
+SHIFT = 1e-3  # relative change of a number
+TURN = 10.0  # degrees by which an angle is changed where other numbers are halved and doubled
+SLOWER = 2.2  # factor on the simulated time if a number is halved or doubled
+ENOUGH = 3.0  # times the tolerance: an elasticity from which the number surely matters
 VECTORS = "position", "velocity"  # measures whose numbers, where one thing has two, are components of one vector
 
 
 @dataclass(frozen=True, slots=True)
 class Given:
-    """A stated number, or a vector stated by its components, at one or more addresses."""
+    """A stated number, or a vector stated by its components, with the addresses."""
 
     parameters: tuple[Parameter, ...]
 
     @property
     def paths(self) -> tuple[str, ...]:
-        """Return where the numbers stand."""
+        """Return the addresses of the numbers."""
         return tuple(parameter.path for parameter in self.parameters)
 
     @property
     def unit(self) -> str:
-        """Of all of them."""
+        """Return the unit of all numbers."""
         return self.parameters[0].measure.unit
 
     @property
     def owner(self) -> str:
-        """The address of what they belong to."""
+        """Return the address of the object that the numbers belong to."""
         return self.paths[0].rpartition(".")[0]
 
     def at(self, scene: Scene, factors: tuple[float, float], turn: float = 0.0) -> dict[str, float]:
-        """Their values with components times two factors in turn, or angles turned by some degrees."""
+        """Return the values by address, with components multiplied by two factors in turn, or angles changed."""
         values = [float(scene.value(path)) for path in self.paths]
         if self.unit == "deg" and turn:
             return {path: value + turn for path, value in zip(self.paths, values, strict=True)}
@@ -47,7 +47,7 @@ class Given:
 
 @dataclass(frozen=True, slots=True)
 class Elasticity:
-    """What a small relative shift of what is given does to an answer."""
+    """The response of an answer to a small relative change of a stated number."""
 
     given: Given
     size: float  # |d ln answer/d ln number|
@@ -55,7 +55,7 @@ class Elasticity:
 
 
 def givens(scene: Scene, left_open: Collection[str] = ()) -> list[Given]:
-    """Return what the text says in numbers; zeros, what a word tells and what it has `left_open` are not among it."""
+    """Return the stated numbers of a scene, without zeros, numbers stated by words, and unknown ones."""
     found: dict[tuple[str, str], list[Parameter]] = {}
     for parameter in scene.parameters:
         if parameter.path not in left_open and _is_said(scene, parameter):
@@ -74,9 +74,9 @@ def _is_said(scene: Scene, parameter: Parameter) -> bool:
 
 
 def elasticities(candidate: Candidate) -> Iterator[Elasticity]:
-    """Yield that of the answer to all that is given, each shifted by one part in a thousand.
+    """Yield the elasticities of the answer to all stated numbers, each shifted by one part in a thousand.
 
-    Numbers that the worked solution does not use come first: one that has no bearing is found without the others.
+    Numbers that the worked solution does not use come first, so that an irrelevant one is found early.
     """
     study = candidate.study
     before = study.trace.story(candidate.time)
@@ -93,7 +93,7 @@ def elasticities(candidate: Candidate) -> Iterator[Elasticity]:
 
 
 def _used(candidate: Candidate) -> set[str]:
-    """Return the addresses of all numbers that the worked solution takes from the text; none without a solution."""
+    """Return the addresses of all numbers that the worked solution uses; None without a solution."""
     if candidate.words is None or candidate.solution is None:
         return set()
     relations = (relation for step in candidate.solution.steps for relation in step.relations)
@@ -102,10 +102,10 @@ def _used(candidate: Candidate) -> set[str]:
 
 
 def matters(candidate: Candidate, found: Elasticity) -> bool:
-    """Whether the answer moves beyond the tolerance when a number is halved or doubled (an angle turned either way).
+    """Return whether halving or doubling a number (or rotating an angle) changes the answer beyond the tolerance.
 
-    Where the motion then is slower, it is followed for longer; where it was not followed for long enough to tell, that
-    tells nothing.
+    If the motion becomes slower, it is simulated for longer; if the answer is still not reached, the test is
+    inconclusive.
     """
     if found.reordered or found.size >= ENOUGH * candidate.tolerance:
         return True
@@ -122,9 +122,9 @@ def matters(candidate: Candidate, found: Elasticity) -> bool:
 
 
 def shifted(study: Study, given: Given, until: float | None) -> Study | None:
-    """Return the motion with a number shifted, or None if there is none; the other way if this one is not valid.
+    """Return the motion with a number shifted, in the other direction if invalid; None if neither is valid.
 
-    The components of a vector are shifted to opposite sides, so that it turns.
+    The components of a vector are shifted in opposite directions, which rotates it.
     """
     for factors in ((1.0 + SHIFT, 1.0 - SHIFT), (1.0 - SHIFT, 1.0 + SHIFT)):
         other = study.with_values(given.at(study.scene, factors), until)
@@ -133,29 +133,29 @@ def shifted(study: Study, given: Given, until: float | None) -> Study | None:
     return None
 
 
-ALONE = {"easy": 2, "medium": 3, "hard": 3}  # numbers that must matter where one body moves
-TOGETHER = {"easy": 3, "medium": 3, "hard": 4}  # and where several do
-PARTS = 2  # of several bodies, what so many have must matter
-EVER = 0.4  # of all that is told, what may be idle: no more, be it marked or cancel, or the text tells another story
+ALONE = {"easy": 2, "medium": 3, "hard": 3}  # numbers that must matter if one body moves
+TOGETHER = {"easy": 3, "medium": 3, "hard": 4}  # numbers that must matter if several bodies move
+PARTS = 2  # of several bodies, the number that must have a relevant number
+EVER = 0.4  # largest fraction of stated numbers that may be irrelevant, even if marked
 MASS = "kg"
 
 
 def least(candidate: Candidate) -> int:
-    """How many numbers must move the answer, at least: of two bodies in an easy problem their masses are enough."""
+    """Return the minimum count of numbers that must change the answer."""
     bodies = [body for body in candidate.study.mechanism.bodies if body.mass > 0.0 and body.coordinates]
     return (ALONE if len(bodies) < 2 or candidate.difficulty == "easy" else TOGETHER)[candidate.difficulty]
 
 
 def of_question(candidate: Candidate) -> int:
-    """Return how many numbers the question itself has: those that it states, and one that it leaves unknown."""
+    """Return the count of the question's own numbers: those it states, and its unknown."""
     moment = candidate.question.query.moment
     return len(moment.stated if moment is not None else ()) + bool(candidate.question.unknown)
 
 
 def shortfall(candidate: Candidate, moving: Sequence[Given]) -> str:
-    """Return what those that move the answer fall short of, in a few words; empty if they are enough.
+    """Return what the numbers that change the answer lack, in a few words; empty if they suffice.
 
-    The numbers that the question itself states count as well, and what it leaves unknown; g does not.
+    The numbers stated in the question and its unknown count as well; g does not.
     """
     mechanism = candidate.study.mechanism
     bodies = [body for body in mechanism.bodies if body.mass > 0.0 and body.coordinates]

@@ -1,4 +1,4 @@
-"""Answers that are products of stated numbers: the powers are measured, the factor in front must be a simple one."""
+"""Detection of answers that are products of powers of stated numbers with a simple factor."""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -10,12 +10,12 @@ from sim2reason.generation.filters.parts.numbers import SHIFT, givens, shifted
 from sim2reason.questions import Question
 from sim2reason.scenes.dsl.units import parse_unit
 
-EXACT = 1e-5  # relative: how well the product must be the answer
-NEAR = 5.0 * SHIFT  # how near to a multiple of a half a measured power must be
-NOTHING = 2e-3  # a smaller power is none; shifted motions tell it to a thousandth
-FAR = 5.0  # deg: by how much an angle is turned to see whether it is the function that its power says
+EXACT = 1e-5  # relative deviation between the product and the answer
+NEAR = 5.0 * SHIFT  # deviation of a measured power from a multiple of one half
+NOTHING = 2e-3  # smaller powers count as zero
+FAR = 5.0  # degrees by which an angle is changed to test the function of it
 HIGHEST = 2.0  # power
-SIMPLE = (1.0, 2.0, 4.0, sqrt(2.0), pi, 2.0 * pi)  # factors in front, and their inverses
+SIMPLE = (1.0, 2.0, 4.0, sqrt(2.0), pi, 2.0 * pi)  # factors in front, and their reciprocals
 ANGLE = "deg"
 OWN = "what the question states"
 View = Callable[[float], float]
@@ -37,7 +37,7 @@ POWERS: tuple[tuple[View, View], ...] = (
 
 @dataclass(frozen=True, slots=True)
 class Factor:
-    """A stated number in SI units, and the power with which the answer goes with it."""
+    """A stated number in SI units, and the power of it to which the answer is proportional."""
 
     path: str  # empty for one of the question's own
     unit: str
@@ -46,7 +46,7 @@ class Factor:
 
 
 def product_of(candidate: Candidate) -> str:
-    """Return the product of stated numbers that the answer is, in a few words; empty if it is none."""
+    """Return the product of stated numbers that equals the answer, in a few words; empty if there is none."""
     question = candidate.question
     views = VIEWS if question.unit == ANGLE else {"": float}
     scale = 1.0 if question.unit == ANGLE else parse_unit(question.unit).factor
@@ -63,7 +63,7 @@ def product_of(candidate: Candidate) -> str:
 
 
 def _products(factors: Sequence[Factor], candidate: Candidate, view: View) -> Iterator[float]:
-    """Yield what that of all factors may be; those whose powers are no multiples of a half are the terms of one sum."""
+    """Yield candidates for the product of all factors; numbers with other powers form one sum."""
     each = [list(_plain(factor, candidate, view)) for factor in factors]
     terms = [factor for factor, plain in zip(factors, each, strict=True) if not plain]
     rest = _sum(terms) if terms else 1.0
@@ -72,7 +72,7 @@ def _products(factors: Sequence[Factor], candidate: Candidate, view: View) -> It
 
 
 def _sum(terms: Sequence[Factor]) -> float | None:
-    """Return a power of a sum of all terms, with either sign; None if their powers are not those of one."""
+    """Return a power of the sum of all terms, with either sign; None if their powers fit no sum."""
     rates = [term.power / term.value for term in terms]  # of (Σ ± x)^E the power of x is ± E x/Σ
     alike = max(map(abs, rates)) <= (1.0 + 4.0 * NEAR) * min(map(abs, rates))
     if not alike or len({term.unit for term in terms}) > 1:
@@ -82,7 +82,7 @@ def _sum(terms: Sequence[Factor]) -> float | None:
 
 
 def _plain(factor: Factor, candidate: Candidate, view: View) -> Iterator[float]:
-    """What a number may be as a factor, by its power, a multiple of a half; an angle, by that of a function of it."""
+    """Yield the powers of a number, with a multiple of one half as exponent; for an angle, of its functions."""
     if factor.unit != ANGLE:
         halves = _halves(factor.power)
         yield from [factor.value ** (halves / 2.0)] if halves else []
@@ -96,7 +96,7 @@ def _plain(factor: Factor, candidate: Candidate, view: View) -> Iterator[float]:
 
 
 def _goes_with(candidate: Candidate, view: View, angle: Factor, function: View) -> bool:
-    """Whether what is seen of the answer goes with a function of an angle of the scene, as far as that is turned."""
+    """Return whether the answer stays proportional to a function of an angle when the angle changes."""
     if not angle.path:
         return True
     found = turned(candidate, angle)
@@ -108,10 +108,7 @@ def _goes_with(candidate: Candidate, view: View, angle: Factor, function: View) 
 
 
 def turned(candidate: Candidate, angle: Factor) -> tuple[float, float] | None:
-    """An angle of the scene turned by `FAR`, rad, the other way if that leaves no answer; None if neither leaves one.
-
-    With the answer there.
-    """
+    """Return an angle changed by `FAR`, rad, and the answer there; None if there is no answer either way."""
     study = candidate.study
     for turn in (FAR, -FAR):
         values = {angle.path: float(study.scene.value(angle.path)) + turn}
@@ -122,13 +119,13 @@ def turned(candidate: Candidate, angle: Factor) -> tuple[float, float] | None:
 
 
 def _halves(power: float) -> int | None:
-    """Twice a power, which is a small multiple of a half; None if it is not."""
+    """Return twice a power that is a small multiple of one half; None otherwise."""
     found = round(2.0 * power)
     return found if abs(2.0 * power - found) <= 2.0 * NEAR and abs(power) <= HIGHEST + NEAR else None
 
 
 def factors_of(candidate: Candidate, view: View) -> list[Factor] | None:
-    """The numbers on which what is seen of the answer hangs; None if one is a vector, or the answer is lost with it."""
+    """Return the numbers on which the answer depends; None for a vector, or if the answer ceases to exist."""
     study, question, found = candidate.study, candidate.question, list[Factor]()
     for given in givens(study.scene, question.left_open):
         other = shifted(study, given, candidate.until)
@@ -146,7 +143,7 @@ def factors_of(candidate: Candidate, view: View) -> list[Factor] | None:
 
 
 def _of_question(candidate: Candidate, view: View) -> list[Factor] | None:
-    """Return those that the question itself states; None if the answer is lost with one."""
+    """Return the factors among the question's own numbers; None if the answer ceases to exist."""
     question, found = candidate.question, list[Factor]()
     rate = _rate(question, view)
     if question.unknown and question.given is not None:
@@ -170,13 +167,13 @@ def _of_question(candidate: Candidate, view: View) -> list[Factor] | None:
 
 
 def _rate(question: Question, view: View) -> float:
-    """With which power what is seen of an unknown goes with the result that is given; 0 where it changes its sign."""
+    """Return the power of the given result in the unknown; 0 if the unknown changes its sign."""
     seen = _power(view(question.answer), view(question.answer * (1.0 + SHIFT)), 1.0 + SHIFT)
     return (seen or 0.0) / question.elasticity
 
 
 def _power(here: float, there: float, factor: float) -> float | None:
-    """Return that with which something goes with a number that is taken times a factor; None if it changes its sign."""
+    """Return the exponent with which a value scales with a number; None if the value changes its sign."""
     if not there / here > 0.0:
         return None
     power = log(there / here) / log(factor)

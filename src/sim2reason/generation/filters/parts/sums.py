@@ -1,4 +1,4 @@
-"""Answers that are sums of two products of stated numbers, or roots of such, as ½ k d² + ½ m v² or √(v² + 2 g h)."""
+"""Detection of answers that are sums of two products, or their roots, as ½ k d² + ½ m v² or √(v² + 2 g h)."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import product, takewhile
@@ -19,17 +19,17 @@ from sim2reason.generation.filters.parts.products import (
 )
 from sim2reason.scenes.dsl.units import parse_unit
 
-MOST = 5  # numbers: of more a sum of two products is none that everybody knows
+MOST = 5  # numbers; a sum of two products of more is not common knowledge
 ROOTS = (1.0, 2.0)  # powers of the answer that may be the sum
 HIGHEST = 4.0  # power of a number in a product
-TURNED = 1e-4  # relative: how well it must be that where an angle is turned
-CLOSE = 0.02  # relative: how well a share is known from shifted numbers
-TRIED = 256  # ways to share out numbers, at most
+TURNED = 1e-4  # relative deviation of the sum from the answer when an angle is changed
+CLOSE = 0.02  # relative accuracy of a measured share
+TRIED = 256  # distributions of the numbers over the terms, at most
 SIMPLE = (1.0, 2.0, 4.0, 0.5, 0.25, sqrt(2.0), sqrt(0.5))  # factors in front of a product
 
 
 class _Place(NamedTuple):
-    """As what a number stands in the first term and in the second: a function of it, to two powers."""
+    """The exponents of a function of a number in the first and the second term."""
 
     factor: Factor
     function: View
@@ -37,7 +37,7 @@ class _Place(NamedTuple):
     value: tuple[float, float]  # what it is there
 
     def at(self, turned: float) -> tuple[float, float]:
-        """Return what it is there if an angle of the scene were turned, rad."""
+        """Return the two factors if an angle of the scene has another value, rad."""
         turn = turned if self.factor.unit == ANGLE and self.factor.path else 0.0
         return _raised(self.function(self.factor.value + turn), self.powers)
 
@@ -47,7 +47,7 @@ _Way = tuple[View, float, float | None]
 
 
 def sum_of(candidate: Candidate) -> str:
-    """Return the sum of two products of stated numbers that the answer is, in a few words; empty if it is none."""
+    """Return the sum of two products of stated numbers that equals the answer; empty if there is none."""
     question = candidate.question
     factors = factors_of(candidate, float) if question.unit != ANGLE else None
     if not factors or not 2 < len(factors) <= MOST:
@@ -62,7 +62,7 @@ def sum_of(candidate: Candidate) -> str:
 
 
 def _fronts(value: float, share: float, terms: Terms) -> Iterator[tuple[float, float]]:
-    """The simple factors, with their signs, with which two terms add up to a value; the first has about a share."""
+    """Yield the signed simple factors for which two terms add up to a value; the first has about a given share."""
     first, second = _multiplied(place.value for place in terms)
     ones = _simple(first, share * value)
     if not ones:  # as nearly always
@@ -73,13 +73,13 @@ def _fronts(value: float, share: float, terms: Terms) -> Iterator[tuple[float, f
 
 
 def _simple(term: float, part: float) -> list[float]:
-    """Return the simple factors, with their sign, with which a term is about a part."""
+    """Return the signed simple factors for which a term approximately equals a part."""
     size, sign = abs(part), -1.0 if part < 0.0 else 1.0
     return [sign * front for front in SIMPLE if isclose(front * term, size, rel_tol=CLOSE)]
 
 
 def _holds_turned(candidate: Candidate, root: float, terms: Terms, front: tuple[float, float]) -> bool:
-    """Whether the answer stays the sum when an angle of the scene is turned: of 60° alone many functions are simple."""
+    """Return whether the sum still equals the answer when an angle changes, since 60° alone is ambiguous."""
     for angle in (place.factor for place in terms if place.factor.unit == ANGLE and place.factor.path):
         found = turned(candidate, angle)
         if found is None:
@@ -93,9 +93,9 @@ def _holds_turned(candidate: Candidate, root: float, terms: Terms, front: tuple[
 
 
 def _terms(factors: Sequence[Factor], root: float) -> Iterator[tuple[float, Terms]]:
-    """Two products that the answer, to the power of `root`, may be the sum of, and the share of the first.
+    """Yield pairs of products whose sum may be the answer to the power `root`, with the share of the first.
 
-    In Z = A + B the power of x^q that stands in A is q A/Z, of one in B q (1 - A/Z), of one in both q.
+    In Z = A + B, the elasticity of Z in x is q A/Z if x^q is in A, q (1 − A/Z) if it is in B, and q if it is in both.
     """
     ways = [(factor, _ways(factor, root)) for factor in factors]
     for mixed in (factor for factor in factors if not _half(root * factor.power, NEAR)):
@@ -119,15 +119,15 @@ def _added(values: Iterable[tuple[float, float]], front: tuple[float, float]) ->
 
 
 def _ways(factor: Factor, root: float) -> list[_Way]:
-    """As what a number may stand there, with the power with which the sum goes with it, and the simple one near it."""
+    """Return the functions of a number with their measured powers, and the simple powers near these."""
     powers = [(function, root * factor.power / slope) for function, slope in _shapes(factor)]
     return [(function, power, _half(power, NEAR)) for function, power in powers]
 
 
 def _places(factor: Factor, ways: Sequence[_Way], share: float) -> list[_Place]:
-    """Return where a number may stand, by the share of the first term: in one term or both, or once more in one.
+    """Return the possible exponents of a number in the two terms, by the share of the first term.
 
-    As k does in √(k² d² + k m v²).
+    A number may occur in one term, in both, or with a higher power in one, as k does in √(k² d² + k m v²).
     """
     found: list[tuple[View, tuple[float, float]]] = []
     for function, power, both in ways:
@@ -148,7 +148,7 @@ def _raised(value: float, powers: tuple[float, float]) -> tuple[float, float]:
 
 
 def _shapes(factor: Factor) -> Iterator[tuple[View, float]]:
-    """As what a number may stand there: itself or a function, and the power with which that goes with the number."""
+    """Yield the functions of a number that may occur, and the power with which each scales with the number."""
     if factor.unit != ANGLE:
         yield float, 1.0
         return
@@ -156,7 +156,7 @@ def _shapes(factor: Factor) -> Iterator[tuple[View, float]]:
 
 
 def _half(power: float, near: float) -> float | None:
-    """Return a power, which is a multiple of a half and not zero; None if it is not."""
+    """Return the multiple of one half near a power; None if there is none or it is zero."""
     found = round(2.0 * power) / 2.0
     size = abs(found)
     return found if 0.0 < size <= HIGHEST and abs(power - found) <= (near * size if size > 1.0 else near) else None

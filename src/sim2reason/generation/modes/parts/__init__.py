@@ -1,1 +1,1 @@
-"""What modes share."""
+"""Helpers shared by the modes."""

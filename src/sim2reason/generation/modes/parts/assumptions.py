@@ -1,4 +1,4 @@
-"""What a question in symbols assumes, as one sentence, and that sentence read back."""
+"""Assumptions of a symbolic question as one sentence, and the parser of that sentence."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -10,15 +10,15 @@ from sim2reason.questions.words import Words
 
 ASSUME = "Assume that "
 _JOINTS = re.compile(r", and that |, that | and that ")
-MOST = 1000  # readings of one sentence that are tried
+MOST = 1000  # parses of one sentence that are tried
 
 
 def assuming(assumed: Sequence[Regime], words: Words) -> str:
     """Return the sentence that states some assumptions.
 
-    As in *assume that block A moves down the slope and that the string stays taut*: in the order of time, what is so at
-    the start, all the while, and at the moment asked about. Where two clauses in a row are about one body, the second
-    one calls it *it*.
+    For example: *assume that block A moves down the slope and that the string stays taut*. Assumptions are in the order
+    of time: the start, the whole motion, the moment. If two consecutive clauses concern one body, the second one calls
+    it *it*.
     """
     ordered = sorted(assumed, key=lambda held: (held.stage, held.clause(words)))
     clauses = [_clause(held, ordered[:number], assumed, words) for number, held in enumerate(ordered)]
@@ -28,7 +28,7 @@ def assuming(assumed: Sequence[Regime], words: Words) -> str:
 
 
 def assumed_in(sentence: str, study: Study, words: Words) -> tuple[Regime, ...] | None:
-    """Return what a sentence assumes of motions of such a scene; None if it is no such sentence."""
+    """Return the assumptions that a sentence states about a scene; None if it is not such a sentence."""
     said = _JOINTS.split(sentence.removeprefix(ASSUME).removesuffix("."))
     regimes = possible(study, words)
     meant = [[held for held in regimes if clause in _forms(held, words)] for clause in said]
@@ -40,7 +40,7 @@ def assumed_in(sentence: str, study: Study, words: Words) -> tuple[Regime, ...] 
 
 
 def parted(text: str) -> tuple[str, str]:
-    """Return what a question assumes, empty if it assumes nothing, and what it asks."""
+    """Split a question into its assumptions (may be empty) and the rest."""
     asked, stop, assumed = text.partition(f" {ASSUME}")
     return f"{ASSUME}{assumed}" if stop else "", asked
 
@@ -58,7 +58,7 @@ def _forms(held: Regime, words: Words) -> Iterator[str]:
 
 
 def _subject(held: Regime, words: Words) -> str:
-    """Return the name of the body with which a clause begins; empty if it begins with no single body."""
+    """Return the name of the body with which a clause begins; empty without a single body."""
     called = words.called(held.of).get(held.name, "")
     return called if called and held.clause(words).startswith(f"{called} ") else ""
 

@@ -1,4 +1,4 @@
-"""Numbers at which a formula ceases to hold, or has no value."""
+"""Search for numbers at which a formula ceases to be valid, or has no value."""
 
 from collections.abc import Callable, Iterator, Sequence
 from itertools import chain, islice
@@ -16,21 +16,21 @@ from sim2reason.solutions.algebra.functions import values
 Margin = Callable[[Variation], float | None]
 """How far a scene is from where something is no longer done; None where that says nothing."""
 
-GUESSES, CORNER_SEED = 4000, 0  # choices of ends that are guessed for
-STARTS = 2  # of the known scenes, that are gone on from beside the best guess
-CLOSE = 0.1  # margin: if one start leads no closer to the end, others hardly ever do (2 of 230 searches)
-FINE = 5  # factors of the numbers that the question says
-SAME = 1e-9  # of a margin: less is no change
+GUESSES, CORNER_SEED = 4000, 0  # combinations of range ends for which margins are estimated
+STARTS = 2  # known scenes from which the search starts, beside the best guess
+CLOSE = 0.1  # margin; if one start does not come closer to zero, others rarely do (2 of 230 searches)
+FINE = 5  # factors tried for the question's own numbers
+SAME = 1e-9  # smaller changes of a margin count as none
 
 
 def leaving(
     variations: Variations, margin: Margin, others: Sequence[Margin], known: Sequence[Variation]
 ) -> Variation | None:
-    """The scene, with each number at an end of its range, that minimises a margin while all others stay positive.
+    """Return the scene, with each number at an end of its range, that minimises a margin; others stay positive.
 
-    Which ends these are is guessed as if all that each of them changes, as is `known` of it alone, added up. From the
-    best guess on, and from some scenes that are `known`, each number is tried at its ends. None if nothing is known of
-    the margin.
+    The ends are guessed by adding the effects of the single numbers, taken from the `known` variations. Starting from
+    the best guess, and from some `known` scenes, each number is tried at both ends. None if nothing is known about the
+    margin.
     """
     own = variations.own()
     here = [each(own) for each in (margin, *others)] if own is not None else [None]
@@ -57,7 +57,7 @@ def leaving(
 
 
 def _least(told: Sequence[Margin], known: Sequence[Variation], own: Variation) -> list[list[float]]:
-    """What multiplies the numbers in those scenes whose margin is least while the others are more than nothing."""
+    """Return the factors on the numbers in the valid scenes with the smallest margins."""
     within = [other for other in known if all((each(other) or 0.0) > 0.0 for each in told[1:])]
     margins = {n: found for n, other in enumerate(within) if (found := told[0](other)) is not None}
     least = sorted(margins, key=lambda n: margins[n])[:STARTS]
@@ -67,9 +67,9 @@ def _least(told: Sequence[Margin], known: Sequence[Variation], own: Variation) -
 def _alone(
     variations: Variations, told: Sequence[Margin], known: Sequence[Variation], own: Variation
 ) -> tuple[Array, Array]:
-    """What each end multiplies each number by, (n, s), and by how much that alone changes each margin, (m, n, s).
+    """Return the factors on each number, (n, s), and the change of each margin by each factor alone, (m, n, s).
 
-    The first is the number itself; those that are fewer than others have it several times.
+    The first factor is 1; shorter lists are padded with 1.
     """
     here, single = np.array([each(own) or 0.0 for each in told]), list[dict[float, Array]]()
     for held in variations.symbols:
@@ -89,10 +89,10 @@ def _moved(other: Variation, own: Variation) -> list[str]:
 def _descended(
     variations: Variations, told: Sequence[Margin], factors: Array, times: list[float]
 ) -> tuple[Variation | None, float]:
-    """A scene with its numbers multiplied, then each by another factor where that lessens the first margin; and that.
+    """Return a scene after one pass of coordinate descent on the first margin, and the margin there.
 
-    Once each: beyond that hardly anything changes. What is asked about may come at the wrong time for that at both
-    ends: its numbers have some factors in between.
+    One pass suffices. For numbers of the question, intermediate factors are tried too, because an event may fail to
+    occur at both ends.
     """
 
     def at(times: Sequence[float]) -> tuple[Variation | None, float]:
@@ -119,15 +119,15 @@ def _steps(factors: Array, *, fine: bool) -> list[float]:
     return between if fine else [least, 1.0, most]
 
 
-DRAWN, COUNTEREXAMPLE_SEED = 2000, 0  # sets of numbers for which the formula is worked out
-CHANGED = 0.3  # of the numbers of every second set: the others are the scene's own
+DRAWN, COUNTEREXAMPLE_SEED = 2000, 0  # sets of numbers for which the formula is evaluated
+CHANGED = 0.3  # fraction of numbers changed in every second set
 SIMULATED = (
     600,
     60,
 )  # of those where it is negative, and of those without a value, at most; where motions are integrated
-CLOSEST, SCATTERED = 8, 8  # so many of either first; if there is an answer in none of these scenes, that is all
-OTHER_SIGN = 3.0  # the distance of a number from itself with the other sign, as of one e³ times as large
-TINY = 1e-9  # of the answer: a size of less is none, whatever its sign
+CLOSEST, SCATTERED = 8, 8  # of either kind first; the search ends if none of these scenes has an answer
+OTHER_SIGN = 3.0  # distance assigned to a change of sign, equal to that of a factor e³
+TINY = 1e-9  # of the answer; smaller magnitudes count as zero
 
 
 def counterexample(
@@ -138,10 +138,10 @@ def counterexample(
     *,
     signed: bool,
 ) -> Variation | None:
-    """Return a scene that is a counterexample, sought where the formula is negative, if not `signed`, or has no value.
+    """Return a scene in which the formula fails, sought where it is negative or undefined; None if none is found.
 
-    Numbers are the scene's own times factors whose logarithms are at most `width`, all or some of them; half of them
-    have any signs. None if none is found.
+    All or some numbers are multiplied by factors with logarithms of at most `width`; half of the sets have random
+    signs.
     """
     own = variations.own()
     if own is None:
@@ -154,7 +154,7 @@ def counterexample(
 
 
 def _tried(variations: Variations, unfit: Array, is_counterexample: Callable[[Variation], bool]) -> Variation | None:
-    """Return the first counterexample among some sets of numbers, (n, s)."""
+    """Return the first counterexample among sets of numbers, (n, s)."""
     here, answered = np.array([held.value for held in variations.symbols]), False
     distance = (np.abs(np.log(np.abs(unfit / here))) + OTHER_SIGN * (unfit * here < 0.0)).sum(1)
     most = SIMULATED[bool(changing(variations.study.mechanism))]
@@ -169,7 +169,7 @@ def _tried(variations: Variations, unfit: Array, is_counterexample: Callable[[Va
 
 
 def _in_turn(closest: list[int], most: int) -> Iterator[int]:
-    """Yield the closest, some from everywhere, and then the next to these, `most` at most."""
+    """Yield indices in a mixed order, `most` at most: the closest ones, some from everywhere, then the next."""
     first, beyond = closest[:CLOSEST], closest[CLOSEST:]
     scattered = beyond[:: max(1, len(beyond) // SCATTERED)][:SCATTERED]
     rest = (number for number in beyond if number not in scattered)
@@ -177,7 +177,7 @@ def _in_turn(closest: list[int], most: int) -> Iterator[int]:
 
 
 def _drawn(variations: Variations, width: float) -> Array:
-    """Numbers around the scene's own, (n, s), no set of them twice."""
+    """Return random sets of numbers around the scene's own, (n, s), without repetitions."""
     rng, here = np.random.default_rng(COUNTEREXAMPLE_SEED), np.array([held.value for held in variations.symbols])
     changed = rng.random((DRAWN, len(here))) < np.where(np.arange(DRAWN) % 2, CHANGED, 1.0)[:, None]
     drawn = here * np.exp(np.where(changed, rng.uniform(-width, width, changed.shape), 0.0))

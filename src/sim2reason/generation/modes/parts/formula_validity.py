@@ -1,4 +1,4 @@
-"""Where a formula must hold: scenes with other numbers, and what a text must assume to leave out the rest."""
+"""Validity of a formula: tests in scenes with other numbers, and the assumptions that a text must state."""
 
 from collections.abc import Iterator, Sequence
 from functools import partial
@@ -14,20 +14,20 @@ from sim2reason.questions.regimes import FEW, Regime, regimes
 from sim2reason.solutions.algebra.expressions import Expression
 from sim2reason.solutions.closed_forms import LONGEST, ClosedForm, ClosedFormError, shortened
 
-POINTS = 8  # beside the scene's own
-NEAR = (0.25, 0.08)  # relative: how far around the scene's numbers they lie, as far as its regime goes
-WIDE = 1.1  # up to three times or a third of each: where the formula must hold, too, unless a regime is assumed
+POINTS = 8  # beside the scene's own numbers
+NEAR = (0.25, 0.08)  # relative distances of test scenes with the same regime
+WIDE = 1.1  # logarithm of the factor (about 3) within which the formula must hold unless a regime is assumed
 TRIES, ACROSS = 16, 4
-SAME = 1e-6  # relative: how well the formula agrees with the engine
-COUNTEREXAMPLES = 4  # after which there seems to be no end of them
-CLOSE = 1e-3  # relative: what misses by more does not miss by the engine's steps
+SAME = 1e-6  # relative deviation between formula and engine
+COUNTEREXAMPLES = 4  # after which the search for assumptions gives up
+CLOSE = 1e-3  # relative; larger deviations are not due to the engine's steps
 
 
 class FormulaValidity:
-    """In which scenes with other numbers a formula holds; each is simulated when it is first needed."""
+    """The scenes with other numbers in which a formula is tested; each is simulated when first needed."""
 
     def __init__(self, variations: Variations, factor: float) -> None:
-        """`factor` makes the engine's answers those of formulas: radians of degrees."""
+        """Store the variations and the `factor` from the engine's unit to that of formulas (degrees to radians)."""
         self._variations, self._factor = variations, factor
         self._whole: tuple[Expression, ...] = ()  # the formula as its derivation left it: what cancels has signs, too
         self._signed = False  # whether the sign of the answer is asked for
@@ -38,7 +38,7 @@ class FormulaValidity:
         self._unanswered: list[Study] = []  # motions far from the scene's own in which there is no answer
 
     def of_scene(self, whole: Expression) -> bool:
-        """Return whether a formula holds with the scene's own numbers, which are those that cost least."""
+        """Return whether a formula holds with the scene's own numbers, the cheapest test."""
         own = self._variations.own()
         self._near = [own] if own is not None and self._agrees(whole, own) else []
         return bool(self._near)
@@ -46,9 +46,9 @@ class FormulaValidity:
     def told(
         self, whole: Expression, rng: np.random.Generator, words: Words, *, signed: bool
     ) -> tuple[ClosedForm, tuple[Regime, ...]] | None:
-        """Return the formula as a text asks for it, and what that must assume; None if none agrees with the engine.
+        """Return the formula as the answer, and its assumptions; None if no formula agrees with the engine.
 
-        Where no sign is asked for, sizes stand between bars if no few regimes fix their signs.
+        If no sign is requested and no few regimes fix the signs, absolute values stay between bars.
         """
         self._whole, self._signed = (whole,), signed
         if not self.near(whole, rng):
@@ -70,7 +70,7 @@ class FormulaValidity:
     def _sized(
         self, formula: ClosedForm, rng: np.random.Generator, words: Words
     ) -> tuple[ClosedForm, tuple[Regime, ...] | None]:
-        """Return its absolute value, and what it assumes; no bars around what has one sign wherever that is so."""
+        """Return the absolute value of a formula, without bars where its sign is constant, and its assumptions."""
         found = formula.of_sizes([other.values for other in (*self._near, *self._wide)])
         assumed = self.assumed(found, rng, words)
         if not assumed:
@@ -80,7 +80,7 @@ class FormulaValidity:
         return (plainer if self.assumed(plainer, rng, words) == assumed else found), assumed
 
     def near(self, formula: Expression, rng: np.random.Generator) -> bool:
-        """Return whether as many fresh numbers as are needed are found, of one regime with the scene's own."""
+        """Return whether enough scenes with nearby numbers in the same regime are found and agree."""
         own = self._near[0]
         for width in NEAR:
             found = [own]
@@ -93,7 +93,7 @@ class FormulaValidity:
         return False
 
     def formula(self, found: ClosedForm, symbols: Sequence[ProblemSymbol]) -> Formula:
-        """As a question has it."""
+        """Return the formula in the form that a question stores."""
         own = [held.symbol for held in symbols if not held.of_world]
         return Formula(
             found.latex,
@@ -106,9 +106,9 @@ class FormulaValidity:
         )
 
     def assumed(self, formula: ClosedForm, rng: np.random.Generator, words: Words) -> tuple[Regime, ...] | None:
-        """Return the fewest regimes that leave no scene in which the formula does not hold; None if no few do.
+        """Return the fewest regimes that exclude all scenes in which the formula fails; None if no few do.
 
-        And those that are told always, first of all. Once they are chosen, a counterexample is looked for.
+        Regimes that are always stated come first. After each choice a counterexample is sought.
         """
         for _ in range(COUNTEREXAMPLES):
             found = self._chosen(formula, rng, words)
@@ -122,10 +122,10 @@ class FormulaValidity:
         return None
 
     def _chosen(self, formula: ClosedForm, rng: np.random.Generator, words: Words) -> tuple[Regime, ...] | None:
-        """The fewest regimes that leave no scene that was found in which the formula does not hold; None if no few do.
+        """Return the fewest regimes that exclude all known counterexamples; None if no few do.
 
-        Scenes are looked for far from the scene's own, and then where what the scene does is left though all that is
-        told holds: a string may go slack, or what slides stick, without a sum in the formula turning its sign.
+        Scenes are sought far from the original, and at the limits of the regimes: a string may go slack, or a sliding
+        body stick, without a change of sign in the formula.
         """
         kept = self._shared(words)
         excluding: list[set[Regime]] = []
@@ -144,10 +144,10 @@ class FormulaValidity:
         return chosen
 
     def _fewest(self, kept: Sequence[Regime], excluding: Sequence[set[Regime]]) -> tuple[Regime, ...] | None:
-        """Return the fewest regimes of which one at least is in each of some sets, with all that are told always.
+        """Return the fewest regimes with at least one in each given set, with all that are always stated.
 
-        Where some few do, they also leave no scene that begins in another way or loses one, and then has no answer: a
-        text that does not exclude that seems to ask for it, too.
+        Among equally few regimes, those are preferred that also exclude scenes without an answer that begin differently
+        or leave a regime, because the text would otherwise seem to include them.
         """
         told = {held for held in kept if held.always_told(self._near[0].study)}
         begun = [*excluding, *self._begun_otherwise(kept)]
@@ -162,17 +162,17 @@ class FormulaValidity:
 
     @staticmethod
     def _leaving_out(other: Variation, kept: Sequence[Regime]) -> set[Regime]:
-        """Return the regimes of which each leaves out a scene."""
+        """Return the regimes that exclude a scene."""
         return {held for held in kept if not held.holds(other.study, other.until)}
 
     def _missed(self, formula: Expression, told: Sequence[Regime], other: Variation) -> bool:
-        """Return whether a formula does not hold in a scene which is as told."""
+        """Return whether a formula fails in a scene that satisfies the stated regimes."""
         return not self._leaving_out(other, told) and not self._agrees(formula, other)
 
     def _leaving(self, held: Regime, told: Sequence[Regime]) -> Variation | None:
-        """Return a scene that is not in a regime, or as close to its end as can be, though what is told may still hold.
+        """Return a scene outside a regime, or as close to its limit as possible, that satisfies the stated regimes.
 
-        None where there has been one.
+        None if a known variation is already outside the regime.
         """
         if held in told or (held, tuple(told)) in self._left:
             return None
@@ -187,7 +187,7 @@ class FormulaValidity:
     def _plainer(
         self, formula: ClosedForm, assumed: tuple[Regime, ...], rng: np.random.Generator, words: Words
     ) -> ClosedForm:
-        """Without roots of squares: with what is squared as it is where that needs no more regimes, or its size."""
+        """Return the formula without roots of squares, where that needs no more assumptions."""
         sized = formula.without_roots_of_squares()
         if sized == formula:
             return formula
@@ -196,7 +196,7 @@ class FormulaValidity:
         return signed if fits and self.assumed(signed, rng, words) == assumed else sized
 
     def _widely(self, formula: Expression, rng: np.random.Generator) -> Iterator[Variation]:
-        """With numbers far from the scene's own."""
+        """Yield scenes with numbers far from the scene's own."""
         yield from self._wide
         self._more = self._more or chain(
             self._variations.across(rng, NEAR[-1], ACROSS),
@@ -210,7 +210,7 @@ class FormulaValidity:
             yield other
 
     def _shared(self, words: Words) -> list[Regime]:
-        """Return the regimes of all scenes that are near."""
+        """Return the regimes that all nearby scenes satisfy."""
         own, *others = self._near
         found = regimes(own.study, words, own.until)
         if own.query.hides:  # the text does not tell the motion
@@ -218,7 +218,7 @@ class FormulaValidity:
         return [held for held in found if all(held.holds(other.study, other.until) for other in others)]
 
     def _begun_otherwise(self, kept: Sequence[Regime]) -> Iterator[set[Regime]]:
-        """For each scene without an answer, the regimes that it is not in from the very start on, or loses, if any."""
+        """Yield, for each scene without an answer, the regimes that it violates at the start or later."""
         own = self._near[0].study
         first = [held for held in kept if held.holds(own, 0.0)]
         found = ({h for h in first if not h.holds(other, 0.0) or h.is_lost(other)} for other in self._unanswered)
@@ -241,7 +241,7 @@ def _margin(held: Regime) -> Margin:
 
 
 def _kept(held: Regime) -> Margin:
-    """Less than nothing wherever it does not hold, whatever its margin at the end of the motion says."""
+    """Return the margin of a regime, negative wherever the regime does not hold."""
 
     def margin(other: Variation) -> float:
         found = held.margin(other.study, other.until) if held.holds(other.study, other.until) else -1.0
@@ -251,6 +251,6 @@ def _kept(held: Regime) -> Margin:
 
 
 def _some(found: Sequence[Regime], few: int) -> Iterator[tuple[Regime, ...]]:
-    """Yield one of them, or a few."""
+    """Yield single regimes, then combinations of a few."""
     for count in range(1, few + 1):
         yield from combinations(found, count)

@@ -1,4 +1,4 @@
-"""Answers that a formula leads to, so that engines need only say whether they hold."""
+"""Expected answers from a formula, which engines then only need to confirm."""
 
 from collections.abc import Callable, Mapping
 from contextlib import suppress
@@ -11,9 +11,9 @@ from sim2reason.text.prose.symbol_names import factor
 
 
 def likely_answers(query: Query, study: Study, words: Words, path: str) -> Callable[[float], float] | None:
-    """Return the answer to a query about a limit by the value of the number at an address, as the formula for it says.
+    """Return the expected answer to a query about a limit as a function of the number at an address.
 
-    0 where it has no value. None of other queries, and where none is derived.
+    The function returns 0 where the formula has no value. None for other queries, and if no formula is derived.
     """
     if not query.hides or path not in words.symbols:
         return None
@@ -32,7 +32,7 @@ def likely_answers(query: Query, study: Study, words: Words, path: str) -> Calla
 
 
 def likely_answer(formula: Expression, at: Mapping[str, float], factor: float) -> float:
-    """Return the answer that a formula leads to, which counts in `factor` of its unit; 0 where it has no value."""
+    """Return the value of a formula in the answer's unit (`factor`); 0 if undefined."""
     with suppress(ValueError, ArithmeticError):
         return formula.value(at).real / factor
     return 0.0

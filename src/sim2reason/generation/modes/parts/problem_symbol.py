@@ -1,4 +1,4 @@
-"""Symbols of the numbers of a problem, and the problem with other numbers."""
+"""Symbols for the numbers of a problem, and variations of the problem with other numbers."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -13,9 +13,9 @@ from sim2reason.text.prose.symbol_names import factor
 
 @dataclass(frozen=True, slots=True)
 class ProblemSymbol:
-    """A symbol of a problem: its unit and value as the text says them, and the address of its number.
+    """A symbol of a problem, with its unit and value as stated, and the address of its number.
 
-    What the question itself says has no address. A `signed` one may stand for a negative number, too.
+    Numbers of the question itself have no address. A `signed` symbol may stand for a negative number.
     """
 
     symbol: str
@@ -26,17 +26,17 @@ class ProblemSymbol:
 
     @property
     def of_world(self) -> bool:
-        """Return whether it is a number of the world, as g is, and of nothing in it."""
+        """Return whether the symbol belongs to the world, as g does, not to an object in it."""
         return self.path.startswith("world.")
 
     def counted(self, value: float) -> float:
-        """Return a value of it as formulas count: in radians and metres, where it is said in degrees or kilometres."""
+        """Return a value in the units of formulas: radians for degrees, metres for kilometres."""
         return value * factor(self.unit)
 
 
 @dataclass(frozen=True)
 class Variation:
-    """A scene with other numbers: their values as formulas count them, its motion, and the answer in it."""
+    """A scene with other numbers: the values in formula units, the motion and the answer."""
 
     values: Mapping[str, float]
     study: Study
@@ -45,17 +45,17 @@ class Variation:
 
     @property
     def until(self) -> float:
-        """Return when all that the answer depends on has happened, s."""
+        """Return the latest time on which the answer depends, s."""
         return KINDS[self.query.kind].time(self.query, self.study) or 0.0
 
     @property
     def story(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
-        """Return what happens before that, in order; turns change nothing."""
+        """Return the events before that time, in order; turning points are omitted."""
         return self.study.trace.story(self.until)
 
     @property
     def finer(self) -> "Variation | None":
-        """The same followed by the finest steps; None if it is by then, or has no answer any more."""
+        """Return the variation simulated with the smallest steps; None if it has no answer, or already has them."""
         scene, trace = self.study.scene, self.study.trace
         if not trace.tolerance:
             return None
@@ -67,7 +67,7 @@ class Variation:
 
 
 def answered(query: Query, study: Study) -> tuple[Study, Query, float] | None:
-    """Return a motion with the answer in it; None if it has none as far as it is followed."""
+    """Return the motion, query and answer, simulated as long as needed; None if there is no answer."""
     answer = KINDS[query.kind].loose_answer(query, study)
     time = KINDS[query.kind].time(query, study)
     if answer is None or not isfinite(answer) or time is None or time > study.trace.stable_until:

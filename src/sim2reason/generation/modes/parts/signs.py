@@ -1,4 +1,4 @@
-"""The sums in formulas, and the signs that they have."""
+"""Sums in formulas, and their signs."""
 
 from collections.abc import Iterator, Mapping
 from math import copysign
@@ -19,7 +19,7 @@ def sums_in(held: Expression) -> Iterator[Sum]:
 
 
 def sign_of(held: Expression, at: Mapping[str, float]) -> float | None:
-    """1 or -1; None where a formula has no value."""
+    """Return the sign of a formula's value, 1 or -1; None where it has no value."""
     try:
         return copysign(1.0, held.value(at).real)
     except (ValueError, ArithmeticError):
@@ -27,7 +27,7 @@ def sign_of(held: Expression, at: Mapping[str, float]) -> float | None:
 
 
 def turns(held: Expression, sign: float | None, at: Mapping[str, Array]) -> list[bool]:
-    """For which of many numbers under each symbol, (m,), a formula has another sign, or none where it has one."""
+    """Return, for each set of numbers (m,), whether a formula's sign differs from `sign` or is undefined."""
     found = values(held, at)
     other = np.isfinite(found) if sign is None else np.isnan(found) | (np.copysign(1.0, found) != sign)
     return other.tolist()

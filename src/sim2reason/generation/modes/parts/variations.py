@@ -1,4 +1,4 @@
-"""The same question about scenes with other numbers, each simulated by the exact engine."""
+"""Variations: the same question in scenes with other numbers, each simulated by the exact engine."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -22,20 +22,20 @@ from sim2reason.simulation.certify import RECORDED
 from sim2reason.simulation.trace import ENGINES, FINEST
 from sim2reason.solutions.algebra.expressions import Expression
 
-LATER = 3.0  # times when something came in the scene that is known, until which it is waited for in others
-LATEST = 4.0  # times that, before nothing is said to come at all
-LOOKED, EACH = 240, 2  # numbers for which the signs of a formula's sums are looked at; how often each is turned
-WIDELY = (160, 40), (24, 24)  # numbers tried, and found to have an answer; where motions are integrated
-TRIES = 4  # at most for each, where most have no answer
-BEYOND_TURN = 0.02  # of the way to numbers that turn a sum's sign: so close behind the turn things are nearly as before
-SOONER = 0.4, 1.2  # times that: so far an orbit is followed at first, and last of these what else is integrated
+LATER = 3.0  # factor on the time of an event within which it is awaited in variations
+LATEST = 4.0  # times that, after which the event is considered absent
+LOOKED, EACH = 240, 2  # numbers at which signs of sums are evaluated; uses of each sign change
+WIDELY = (160, 40), (24, 24)  # numbers tried and answers found, at most; second pair: if the motion is integrated
+TRIES = 4  # draws per wanted variation, at most
+BEYOND_TURN = 0.02  # fraction of the way beyond the numbers at which a sum changes its sign
+SOONER = 0.4, 1.2  # factors on the first simulated time of orbits, and on the last one of other integrated motions
 STEEPEST, STRAIGHT = 89.0, 180.0  # degrees
-FARTHEST = 2.0  # times the largest of a unit: how far numbers with a sign are shifted
+FARTHEST = 2.0  # times the largest number of a unit, by which signed numbers are shifted
 
 
 @dataclass(frozen=True)
 class Variations:
-    """A query about a scene, in all of whose numbers others can be put."""
+    """A query about a scene in which all stated numbers can be replaced."""
 
     study: Study
     query: Query
@@ -44,16 +44,16 @@ class Variations:
     factor: float = 1.0  # which makes the engine's answers those of formulas
 
     def own(self) -> Variation | None:
-        """With the numbers that it has."""
+        """Return the variation with the scene's own numbers."""
         found = answered(self.query, self.study)
         return None if found is None else Variation(self._counted([held.value for held in self.symbols]), *found)
 
     def drawn(
         self, rng: np.random.Generator, width: float, tries: int, unanswered: list[Study] | None = None
     ) -> Iterator[Variation]:
-        """With every number times a factor whose logarithm is at most `width`; those that have an answer.
+        """Yield answered variations with every number times a random factor of logarithm at most `width`.
 
-        The motions of those that have none are added to `unanswered`.
+        Motions without an answer are added to `unanswered`.
         """
         for values in self._around([held.value for held in self.symbols], rng, width, tries):
             found = self._at(values, unanswered)
@@ -61,14 +61,14 @@ class Variations:
                 yield found
 
     def widely(self, rng: np.random.Generator, width: float, unanswered: list[Study]) -> Iterator[Variation]:
-        """Many that are drawn so; fewer where motions are integrated, and cost ten times as much."""
+        """Yield many random variations; fewer where motions need integration, which costs ten times as much."""
         tries, wanted = WIDELY[bool(changing(self.study.mechanism))]
         yield from islice(self.drawn(rng, width, tries, unanswered), wanted)
 
     def across(self, rng: np.random.Generator, width: float, tries: int) -> Iterator[Variation]:
-        """With the question's own numbers on the other side of where the motion starts, and all as far from there.
+        """Yield variations with the question's numbers mirrored at the initial value.
 
-        Nothing is drawn where they have one side alone.
+        None are drawn for numbers that are restricted to one side.
         """
         moment = self.query.moment
         other = moment.across(self.study.trace) if moment is not None else None
@@ -84,10 +84,10 @@ class Variations:
     def turned(
         self, rng: np.random.Generator, formulas: Sequence[Expression], width: float, unanswered: list[Study]
     ) -> Iterator[Variation]:
-        """With numbers for which a sum in formulas has another sign than in the scene, or none.
+        """Yield variations in which a sum in one of the formulas changes its sign or vanishes.
 
-        There they are likely not to hold, and numbers drawn at random may all miss a small such corner. Just beyond the
-        turn, too, where most is as it was; a sum that no number drawn turns is turned on purpose.
+        Formulas likely fail there, and random numbers may miss such a small region. Numbers just beyond the change of
+        sign are included; a sum that random numbers never change is changed deliberately.
         """
         here = [held.value for held in self.symbols]
         sums = [*dict.fromkeys(held for formula in formulas for held in (formula, *sums_in(formula)))]
@@ -106,15 +106,15 @@ class Variations:
             yield from self._moving(values, unanswered)
 
     def _turns(self, held: Expression, sign: float | None, drawn: Sequence[Sequence[float]]) -> list[bool]:
-        """For which of some numbers a sum has another sign, or none where it has one."""
+        """Return, for each set of numbers, whether a sum changes its sign or vanishes."""
         return turns(held, sign, self.columns(np.array(drawn)))
 
     def columns(self, drawn: Array) -> dict[str, Array]:
-        """Sets of numbers, (n, s), as formulas count them: those under each symbol, (n,)."""
+        """Return the columns (n,) of sets of numbers (n, s), by symbol, in formula units."""
         return {held.symbol: held.counted(1.0) * numbers for held, numbers in zip(self.symbols, drawn.T, strict=True)}
 
     def _just_beyond(self, values: Sequence[float], held: Expression, sign: float | None) -> tuple[float, ...]:
-        """Numbers on the way from the scene's own to others, a little beyond where a sum turns its sign."""
+        """Return numbers between the scene's and others, slightly beyond a sum's change of sign."""
         low, high = 0.0, 1.0
         while high - low > BEYOND_TURN / 2.0:
             middle = (low + high) / 2.0
@@ -123,13 +123,13 @@ class Variations:
         return self._towards(values, min(1.0, high + BEYOND_TURN))
 
     def _towards(self, values: Sequence[float], share: float) -> tuple[float, ...]:
-        """Numbers some share of the way to others, on the logarithmic scale."""
+        """Return numbers at a fraction of the way to others, on a logarithmic scale."""
         return tuple(held.value * (to / held.value) ** share for held, to in zip(self.symbols, values, strict=True))
 
     def one_by_one(self, width: float, unanswered: list[Study]) -> Iterator[Variation]:
-        """With one number alone far smaller and far larger, than in the scene and than any there in its unit.
+        """Yield variations with one number far smaller or larger than all others of its unit.
 
-        Symbols do not say which of several is the largest, nor whether an angle is acute.
+        Symbols state neither which of several numbers is the largest, nor whether an angle is acute.
         """
         here = [held.value for held in self.symbols]
         for n, (least, most) in enumerate(zip(self._sizes(min), self._sizes(max), strict=True)):
@@ -142,11 +142,10 @@ class Variations:
                 yield from self._moving([*here[:n], copysign(end, here[n]), *here[n + 1 :]], unanswered)
 
     def mirrored(self, rng: np.random.Generator, width: float) -> Iterator[Variation]:
-        """With one number alone of the other sign, where it may have either: no text tells which a symbol has.
+        """Yield variations with one signed number negated, then with random signs and shifted numbers.
 
-        Then with any signs and all numbers drawn anew, and again with such numbers shifted, far or a little, which may
-        turn signs while the rest stays as it is. Often where a motion costs little: most of these have no answer, and
-        then are not what a text seems to ask for.
+        A text in symbols does not state their signs. Cheap motions are drawn more often, since most of these variations
+        have no answer.
         """
         unanswered: list[Study] = []
         here, may = [held.value for held in self.symbols], np.array([held.signed for held in self.symbols])
@@ -162,11 +161,11 @@ class Variations:
             yield from self._moving(np.where(may, np.array(here) + shifts, values).tolist(), unanswered)
 
     def _sizes(self, extreme: Callable[[Iterable[float]], float]) -> list[float]:
-        """For each number, the size of the largest in its unit, or of the smallest."""
+        """Return, for each number, the largest or smallest magnitude in its unit."""
         return [extreme(abs(each.value) for each in self.symbols if each.unit == held.unit) for held in self.symbols]
 
     def having(self, values: Sequence[float], unanswered: list[Study] | None = None) -> Variation | None:
-        """With some numbers; None if there is no answer then, or an angle would be as good as a right one."""
+        """Return the variation with given numbers; None if it has no answer, or nearly a right angle."""
         return None if self._is_steep(values) else self._at(values, unanswered)
 
     def _moving(self, values: Sequence[float], unanswered: list[Study]) -> Iterator[Variation]:
@@ -175,7 +174,7 @@ class Variations:
             yield found
 
     def _corner(self, held: Expression, width: float) -> tuple[float, ...] | None:
-        """Numbers, each at an end of its range, for which a sum has another sign; None if it keeps its sign there."""
+        """Return numbers, each at an end of its range, at which a sum changes its sign; None if there are none."""
         values = [held.value for held in self.symbols]
         sign = sign_of(held, self._counted(values))
         for n in range(len(values)):
@@ -184,14 +183,14 @@ class Variations:
         return tuple(values) if sign_of(held, self._counted(values)) != sign else None
 
     def _size(self, held: Expression, values: Sequence[float], sign: float | None) -> float:
-        """Return how far a sum is from turning its sign."""
+        """Return the distance of a sum from its change of sign."""
         try:
             return held.value(self._counted(values)).real * (sign or 1.0)
         except (ValueError, ArithmeticError):
             return -inf
 
     def _is_steep(self, values: Sequence[float]) -> bool:
-        """Return whether an angle would be as good as a right one, where the text's is not."""
+        """Return whether an angle is nearly a right angle although the text's is not."""
         return any(
             held.unit == "deg" and abs(held.value) <= STEEPEST < abs(value) < STRAIGHT - STEEPEST
             for held, value in zip(self.symbols, values, strict=True)
@@ -200,14 +199,14 @@ class Variations:
     def _around(
         self, middle: Sequence[float], rng: np.random.Generator, width: float, tries: int
     ) -> Iterator[list[float]]:
-        """Numbers around some, but for angles that would be steep, as good as right ones, where the text's are not."""
+        """Yield random numbers around given ones, without angles close to a right angle."""
         factors = np.exp(rng.uniform(-width, width, (tries, len(self.symbols))))
         yield from (values for values in (np.array(middle) * factors).tolist() if not self._is_steep(values))
 
     def _at(
         self, values: Sequence[float], unanswered: list[Study] | None, ends: tuple[float, ...] = ()
     ) -> Variation | None:
-        """With these numbers, followed to each of some times, s, by default as long as it may take."""
+        """Return the variation with given numbers, simulated to each of the end times `ends` (s) in turn."""
         said = dict(zip(self.symbols, values, strict=True))
         query, seen = self._asking(values), None
         error = FINEST if unanswered is None else ENOUGH  # far away nothing is recorded: a formula holds or does not
@@ -229,14 +228,14 @@ class Variations:
 
     @cached_property
     def _roomy(self) -> Scene:
-        """The scene with room enough for other numbers: no text tells how far strings and edges let bodies move."""
+        """Return the scene with enough clearance on strings and edges for other numbers."""
         return roomy(self.study.scene)
 
     def _counted(self, values: Sequence[float]) -> dict[str, float]:
         return {held.symbol: held.counted(value) for held, value in zip(self.symbols, values, strict=True)}
 
     def _asking(self, values: Sequence[float]) -> Query:
-        """Return the query with some numbers, and with the answer that it likely has with them."""
+        """Return the query with other numbers, and with its expected answer."""
         moment = self.query.moment
         numbers = [value for held, value in zip(self.symbols, values, strict=True) if not held.path]
         query = replace(self.query, moment=moment.having(numbers)) if moment is not None else self.query
@@ -247,11 +246,11 @@ class Variations:
 
     @staticmethod
     def _waits(query: Query) -> bool:
-        """Return whether the motion brings about what is asked about."""
+        """Return whether the motion determines the time of the answer."""
         return query.moment is not None and bool(query.moment.event or query.moment.channels)
 
     def _ends(self, query: Query) -> tuple[float, ...]:
-        """How long to follow a motion, s: to a stated time, else some times as long as it took in the known one."""
+        """Return the end times of the simulation, s: a stated time, else multiples of the original time."""
         here, least = KINDS[self.query.kind].time(self.query, self.study) or 0.0, SHORTEST * self.study.scene.horizon
         moment = query.moment
         times = [number for number, unit in moment.stated if unit == "s"] if moment is not None else []

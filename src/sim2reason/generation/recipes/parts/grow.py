@@ -1,4 +1,4 @@
-"""Random scenes: entities are connected port by port until none is open."""
+"""Random growth of scenes: entities are connected port by port until no port is open."""
 
 import re
 from collections.abc import Iterable, Mapping
@@ -30,68 +30,68 @@ from sim2reason.scenes.dsl.ports import Pass, Stop, StringEnd
 from sim2reason.scenes.dsl.scene import Scene
 from sim2reason.text.prose.description import draft, written
 
-LEVEL = 1e-9  # of a direction, or m: less is rounding
+LEVEL = 1e-9  # of a direction, or m; smaller values are rounding errors
 
 
 def leads_below_floor(scene: Scene, joint: Joint) -> bool:
-    """Whether a string comes on the level from the foot of a slope, which stands on a floor, to the top of another.
+    """Return whether a string runs horizontally from the foot of a slope on a floor to the top of another slope.
 
-    The other slope would lie below the floor. What hangs there may: beyond the edge of a table, say.
+    Then the other slope would be below the floor. Hanging bodies are allowed there, as beyond the edge of a table.
     """
     ends = [stop for stop in joint.stops if isinstance(stop.port, StringEnd)]
     return any(_leaves_at_foot(scene, end) for end in ends) and any(_leaves_upwards(scene, end) for end in ends)
 
 
 def _leaves_at_foot(scene: Scene, end: Stop) -> bool:
-    """Return whether a string goes down to a corner of its own entity, and leaves that on the level."""
+    """Return whether a string descends to a corner of its own entity and leaves it horizontally."""
     return _climb(scene, end) < -LEVEL and abs(_steepness(scene, end)) < LEVEL
 
 
 def _leaves_upwards(scene: Scene, end: Stop) -> bool:
-    """Return whether a string goes up a slope, be it to a corner of its entity, or away from that."""
+    """Return whether a string ascends a slope, to a corner of its entity or away from it."""
     return _climb(scene, end) > LEVEL or LEVEL < _steepness(scene, end) < 1.0 - LEVEL
 
 
 def _climb(scene: Scene, end: Stop) -> float:
-    """Return how much higher a string leaves an entity than it is tied to it, m."""
+    """Return the height at which a string leaves an entity above the point where it is tied, m."""
     alone = _alone(scene, end)
     return alone.position(end.sites[-1])[2] - alone.position(end.sites[0])[2]
 
 
 def _steepness(scene: Scene, end: Stop) -> float:
-    """Return the sine of the angle at which a string leaves an entity; zero where it may leave in any direction."""
+    """Return the sine of the angle at which a string leaves an entity; zero if its direction is free."""
     face = _alone(scene, end).faces.get(end.sites[-1])
     return face[2] if face is not None else 0.0
 
 
 def _alone(scene: Scene, end: Stop) -> Builder:
-    """Return the entity to which an end of a string belongs, built by itself."""
+    """Return the builder of only the entity at one end of a string."""
     return next(named.alone for named in scene.entities if named.name == end.owner.partition(".")[0])
 
 
 TRIES = 100
 LONGEST_SENTENCE = 40  # words
-ONWARD = 0.75  # the chance that a string goes on to another entity where it could end
-UPHILL = 0.7  # of scenes lead strings down a slope only beside one up it: weights are to work against each other
-UNDER = 0.3  # the chance that a string passes an entity on its way
-LOADED = 0.75  # the chance that something optional hangs where it can
-COMPARABLE = 2.5  # the largest ratio where pulleys have mass
-DISC = 0.75  # of the lightest block: the least mass of a pulley that has any
-CARRIERS = ("Wedge.mass", "Prism.mass", "Box.mass")  # not far lighter than what they carry
+ONWARD = 0.75  # probability that a string continues to another entity where it could end
+UPHILL = 0.7  # fraction of scenes with strings down a slope only beside one up it, so that weights oppose each other
+UNDER = 0.3  # probability that a string passes an entity on its way
+LOADED = 0.75  # probability of an optional load
+COMPARABLE = 2.5  # largest mass ratio if pulleys have mass
+DISC = 0.75  # of the lightest block: smallest mass of a massive pulley
+CARRIERS = ("Wedge.mass", "Prism.mass", "Box.mass")  # masses that are not much smaller than those of the carried bodies
 PULLEYS = ("FixedPulley.mass", "MovablePulley.mass")
 STRINGS = {"tendon": 1.0}
 ROWS = ("blocks", "left_blocks")
-ROWED = 0.25  # of scenes that may have blocks in rows do: such blocks move as one
+ROWED = 0.25  # fraction of eligible scenes with blocks in rows, which move as one
 HAND = "ConstantForcePuller"
 CLOSERS = {HAND: 0.4, "FixedSupport": 0.6}
 
 
 @dataclass(frozen=True)
 class Tier:
-    """How hard: how many entities, of which types and how often, and where numbers come from.
+    """The difficulty settings of growth: number and types of entities, and ranges of numbers.
 
-    `groups` are pools of entity types with their weights; a scene has an entity of each. `rough` is the chance that
-    faces have friction, `massive` that pulleys have mass, `more` that an optional port is used.
+    `groups` are pools of entity types with weights; a scene has one entity of each. `rough` is the probability of
+    friction, `massive` that of massive pulleys, and `more` that of using an optional port.
     """
 
     size: Count
@@ -108,15 +108,15 @@ class Tier:
 
     @property
     def pool(self) -> Mapping[str, float]:
-        """All entity types that may meet."""
+        """Return all entity types with their weights."""
         return {kind: weight for group in self.groups for kind, weight in group.items()}
 
 
 class Grower:
-    """One scene in the making."""
+    """The state of one scene during random growth."""
 
     def __init__(self, tier: Tier, rng: np.random.Generator) -> None:
-        """Friction and massive pulleys are decided once for the whole scene."""
+        """Decide friction and massive pulleys once for the whole scene."""
         self.tier, self.rng = tier, rng
         self.left = int(rng.integers(tier.size.low, tier.size.high + 1))
         self.choices: dict[str, Choice] = {"load?": LOADED, **tier.choices, **self._masses()}
@@ -134,7 +134,7 @@ class Grower:
         self.pulled = False  # whether a hand pulls: two would do no more than one
 
     def _masses(self) -> dict[str, Choice]:
-        """Blocks of comparable masses, pulleys, if they have mass, lighter than all of them, and pulls like weights."""
+        """Return settings for masses: comparable blocks, lighter pulleys, and pulling forces like weights."""
         blocks, pulleys = self.tier.choices["mass"], self.tier.choices["pulley mass"]
         assert isinstance(blocks, Range)
         assert isinstance(pulleys, Range)
@@ -154,7 +154,7 @@ class Grower:
         }
 
     def scene(self) -> Scene:
-        """Grow until no port that must be used is open.
+        """Grow the scene until no mandatory port is open.
 
         Raises:
             SceneError: something in it can't move, or moves without inertia.
@@ -182,17 +182,17 @@ class Grower:
         return names[int(self.rng.choice(len(names), p=shares / shares.sum()))]
 
     def _pick(self) -> str:
-        """Return a type of entity; of a group that the scene still lacks, once there is no room for another."""
+        """Return a random entity type; one of a missing group when there is room for no other."""
         missing = self._missing()
         return self._one_of(missing[0] if len(missing) >= self.left and missing else self.tier.pool)
 
     def _missing(self) -> list[Mapping[str, float]]:
-        """Return the groups of which the scene has no entity."""
+        """Return the groups without an entity in the scene."""
         kinds = {type(named.entity).__name__ for named in self.entities}
         return [group for group in self.tier.groups if not kinds & group.keys()]
 
     def _add(self, kind: str) -> Named:
-        """Return a drawn entity of a type, under a name of its own."""
+        """Return a random entity of a type, with a new name, after adding it to the scene."""
         named = self._named(kind)
         self._enter(named)
         return named
@@ -210,7 +210,7 @@ class Grower:
     # ---- ports
 
     def _join_all(self, named: Named) -> None:
-        """Give every port of a new entity its connection, if it must or happens to have one."""
+        """Connect every mandatory port of a new entity, and optional ones by chance."""
         for here in sorted(open_ports(named), key=lambda port: self.uphill and is_downhill(port)):
             taken = (named.name, here.port.name) in self.used
             needed = here.port.required or here.port.unless  # where it is open, nothing hangs there yet
@@ -223,7 +223,7 @@ class Grower:
         return (self.left > 0 and (not self.joined or self._chance(0.8))) or self._chance(self.tier.more)
 
     def _join(self, here: OpenPort) -> None:
-        """Lead a connection from a port: to a new entity while there is room, else to what closes it."""
+        """Lead a connection from a port: to a new entity while there is room, else to a closing entity."""
         shares = {key: share for key, share in self.tier.connections.items() if takes(CONNECTIONS[key], here.port)}
         if not shares:
             return
@@ -243,7 +243,7 @@ class Grower:
             self._join_all(stop.owner)
 
     def _between(self, kind: type[Connection], here: OpenPort) -> list[OpenPort]:
-        """Return what a connection passes on its way: now and then a new entity that must be passed."""
+        """Return the ports of new entities that a connection passes on its way."""
         passed = {name: weight for name, weight in self.tier.pool.items() if is_passed(name, kind)}
         if not (passed and self.left > 0 and not is_down(here.direction) and self._chance(UNDER)):
             return []
@@ -251,7 +251,7 @@ class Grower:
         return [stop for stop in open_ports(named) if isinstance(stop.port, Pass)][:1]
 
     def _far_end(self, kind: type[Connection], here: OpenPort, path: list[OpenPort]) -> OpenPort:
-        """The other end of a connection. What stands still is led to only where something on the way can move."""
+        """Return the other end of a connection; a fixed end only if something on the way can move."""
         pool = {name: w for name, w in self.tier.pool.items() if not is_passed(name, kind)}
         moving = any(isinstance(stop.port, Pass) for stop in (here, *path))
         onward = not path or not moving or bool(self._missing()) or self._chance(ONWARD)
@@ -279,7 +279,7 @@ class Grower:
 
 
 def grow(tier: Tier, rng: np.random.Generator) -> Scene:
-    """Return a random scene of a tier, drawn again while it does not hold together or takes too many words to tell.
+    """Return a random scene of a tier; invalid or too long ones are drawn again.
 
     Raises:
         SceneError: nothing that was drawn holds together and is short enough.
@@ -297,7 +297,7 @@ def grow(tier: Tier, rng: np.random.Generator) -> Scene:
 
 
 def _is_short(scene: Scene, words: int) -> bool:
-    """Return whether the whole text and every sentence about a string keep within their bounds."""
+    """Return whether the whole text and every sentence about a string are within their limits."""
     drafted, dry = draft(scene)
     if _total(drafted) > words:
         return False  # most do not, and show it at once

@@ -1,4 +1,4 @@
-"""Recipes of one entity: ideas that narrow how it is drawn, and numbers that have to matter."""
+"""Recipes of a single entity: ideas with narrower ranges, and a check that numbers matter."""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
@@ -13,13 +13,13 @@ from sim2reason.scenes.dsl.entity import ENTITIES, Named
 from sim2reason.scenes.dsl.model import Choice, Choices, Model, Parameter, draw, parameters
 from sim2reason.scenes.dsl.scene import Scene
 
-FACTORS, TURNS = (2.0, 0.5), (10.0, -10.0)  # a number is halved and doubled, an angle in degrees turned either way
-LEAST = 0.12  # of a response: less may move a speed, which goes with a root, by less than its tolerance
+FACTORS, TURNS = (2.0, 0.5), (10.0, -10.0)  # a number is halved and doubled; an angle is changed by these degrees
+LEAST = 0.12  # relative change of a response; smaller ones may stay within the tolerance after a square root
 V = TypeVar("V", bound=Model)
 
 
 def idle(value: V, response: Callable[[V], Sequence[float]], least: float = LEAST) -> Iterator[str]:
-    """Yield the addresses of the numbers that move none of the responses of an entity by `least`, relative."""
+    """Yield the addresses of numbers whose halving and doubling changes all responses by less than `least`."""
     before = response(value)
     for number in parameters(value):
         if (
@@ -35,7 +35,7 @@ def idle(value: V, response: Callable[[V], Sequence[float]], least: float = LEAS
 
 
 def _moved(value: V, number: Parameter) -> Iterator[V]:
-    """Yield the same with a number halved and doubled, as far as it is valid then."""
+    """Yield the valid models with a number halved and doubled."""
     assert number.value is not None
     turned = number.measure.unit == "deg"
     for new in (number.value + turn for turn in TURNS) if turned else (number.value * factor for factor in FACTORS):
@@ -45,12 +45,12 @@ def _moved(value: V, number: Parameter) -> Iterator[V]:
             continue
 
 
-REDRAWS = 200  # of what does not suit an idea
+REDRAWS = 200  # of scenes that do not fit an idea
 
 
 @dataclass(frozen=True)
 class Idea:
-    """What a problem is about: the type of its entity, what its numbers and parts are drawn from, and how often."""
+    """A type of problem: its entity, the ranges and parts to draw from, and its weight."""
 
     entity: str
     choices: Choices = field(default_factory=dict[str, Choice])
@@ -59,7 +59,7 @@ class Idea:
 
 
 def one_of(ideas: Sequence[Idea], rng: np.random.Generator, name: str) -> Scene:
-    """Return a scene of one entity, called `name` in its file, drawn by one of the ideas.
+    """Return a scene of one entity, named `name`, drawn by a random idea.
 
     Raises:
         SceneError: the draw does not hold together, or nothing that was drawn suits the idea.

@@ -1,4 +1,4 @@
-"""The ports that entities offer to a growing scene, and what can be joined to them."""
+"""Open ports of the entities of a growing scene, and the connections they allow."""
 
 from dataclasses import dataclass
 
@@ -11,26 +11,26 @@ from sim2reason.scenes.dsl.vectors import Vector
 
 @dataclass(frozen=True)
 class OpenPort:
-    """A port of an entity of the scene, and which way a connection must leave it; None for any."""
+    """A port of an entity in the scene, and the required direction of a connection; None for any."""
 
     owner: Named
     port: Port
 
     @property
     def link(self) -> Link:
-        """It as files name it."""
+        """Return the link to the port, as in scene files."""
         return Link(entity=self.owner.name, port=self.port.name)
 
     @property
     def direction(self) -> Vector | None:
-        """Return which way a connection must leave it; None for any."""
+        """Return the direction in which a connection must leave; None for any."""
         stop = stops_of(self.owner.entity, self.port.name, self.owner.name)[-1]
         return self.owner.alone.faces.get(stop.sites[-1]) if stop.sites else None
 
     def meets(self, other: "OpenPort", kind: type[Connection]) -> bool:
-        """Return whether a connection can run to another port: what must leave straight down meets what hangs there.
+        """Return whether a connection can run to another port; a vertical one needs a hanging end.
 
-        A string can turn over a pulley on its way; nothing else can.
+        Only a string can change its direction, at a pulley on its way.
         """
         here, there = self.direction, other.direction
         turns = issubclass(kind.joins, StringPort) and not (is_down(here) or is_down(there))
@@ -38,12 +38,12 @@ class OpenPort:
 
 
 def takes(kind: type[Connection], port: Port) -> bool:
-    """Return whether a connection can begin, go on or end at a port."""
+    """Return whether a connection can begin, continue or end at a port."""
     return isinstance(port, kind.joins) and any(kind.admits(port, index, 2) for index in range(3))
 
 
 def _joins(kind: type[Connection], here: Port, end: Port) -> bool:
-    """Return whether a connection that is at one port can end at another."""
+    """Return whether a connection at one port can end at another."""
     if isinstance(end, Pass):
         return False
     forward = isinstance(here, Pass) or kind.admits(here, 0, 1)
@@ -51,7 +51,7 @@ def _joins(kind: type[Connection], here: Port, end: Port) -> bool:
 
 
 def open_ports(named: Named) -> list[OpenPort]:
-    """The ports that an entity offers: no place is taken or missing, no string tied to what starts with a speed."""
+    """Return the free ports of an entity to which a string may be tied."""
     builder = named.alone
     moves = any(coordinate.speed for coordinate in builder.finish().coordinates)
     ports = outer_ports(type(named.entity)).values()
@@ -67,22 +67,22 @@ def ends_for(named: Named, kind: type[Connection], here: OpenPort) -> list[OpenP
 
 
 def is_passed(name: str, kind: type[Connection]) -> bool:
-    """Return whether an entity must be passed by a connection, and so is never the end of another."""
+    """Return whether a connection must pass through an entity, which then is never its end."""
     ports = outer_ports(ENTITIES[name]).values()
     return any(isinstance(port, Pass) and port.required and isinstance(port, kind.joins) for port in ports)
 
 
 def stands_still(named: Named) -> bool:
-    """Return whether nothing of it moves or pulls."""
+    """Return whether nothing of an entity moves or pulls."""
     return not named.alone.drawing and not named.alone.finish().bodies
 
 
 def is_downhill(port: OpenPort) -> bool:
-    """Return whether a string leaves a body down its slope, so that it pulls in the direction of the weight."""
+    """Return whether a string leaves a body down its slope, so that it pulls along the weight's component."""
     direction = port.direction
     return direction is not None and not is_down(direction) and direction[2] < -1e-9
 
 
 def is_down(direction: Vector | None) -> bool:
-    """Return whether a connection can only leave straight down."""
+    """Return whether a connection can only leave vertically downwards."""
     return direction is not None and direction[2] < -1.0 + 1e-9

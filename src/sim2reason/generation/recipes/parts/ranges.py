@@ -1,4 +1,4 @@
-"""Where the numbers of string-and-plane scenes come from, by difficulty."""
+"""Ranges of the numbers in scenes of strings and planes, by difficulty."""
 
 from collections.abc import Mapping
 

@@ -1,1 +1,1 @@
-"""Texts in ordinary English: the library's own sentences that say the same, or those that come nearest."""
+"""Parsing of ordinary English: replacement of sentences by equivalent sentences of the library."""

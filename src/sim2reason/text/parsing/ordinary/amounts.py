@@ -30,7 +30,7 @@ SPELLED: Mapping[str, str] = {
     r"(?:kilometers|kilometres) (?:per|an) hour|kph|kmph": "km/h",
     r"degrees?|deg": "°",
 }
-DIGITS = 12  # of a number that was converted
+DIGITS = 12  # significant digits of a converted number
 LEAST_PLAIN, MOST_PLAIN = 1e-6, 1e9  # smaller and greater numbers are written with powers of ten
 MOST_WORDS = 5  # of a unit, as in "metres per second per second"
 _NUMBER = re.compile(
@@ -67,7 +67,7 @@ class Amount:
 
 
 def set_apart(text: str) -> tuple[str, tuple[Amount, ...]]:
-    """Replace the numbers of a text by placeholders such as `#mass0#`, and return it with the numbers in that order."""
+    """Replace the numbers of a text by placeholders such as `#mass0#`; return the text and the numbers in order."""
     for pattern, short in SPELLED.items():
         text = re.sub(rf"(?<=[\s-])(?:{pattern})\b", short, text)
     found: list[Amount] = []
@@ -85,7 +85,7 @@ def set_apart(text: str) -> tuple[str, tuple[Amount, ...]]:
 
 
 def shown(value: float) -> str:
-    """Format a number as the library's texts have it, with at most twelve significant digits."""
+    """Format a number as in the library's texts, with at most twelve significant digits."""
     if value and not LEAST_PLAIN <= abs(value) < MOST_PLAIN:
         digits, power = f"{value:.{DIGITS - 1}e}".split("e")
         digits = digits.rstrip("0").rstrip(".")
@@ -104,7 +104,7 @@ def _amount(number: re.Match[str], unit: str) -> Amount:
 
 
 def _unit(text: str, at: int) -> tuple[str, int]:
-    """Return the unit at an index of a text, which may be empty, and the index after it."""
+    """Return the unit at an index of a text (may be empty), and the index after it."""
     ahead = _UNIT.match(text, at)
     words = ahead[1].split(" ") if ahead else []
     for count in range(min(len(words), MOST_WORDS), 0, -1):

@@ -33,14 +33,14 @@ _MEANS = {other: word for word, others in SAME.items() for other in others.split
 
 @dataclass(frozen=True, slots=True)
 class Told:
-    """A number as it is written, with its unit (empty for a pure number) and that unit without prefixes."""
+    """A number as written, with its unit (empty for a pure number) and that unit without SI prefixes."""
 
     digits: str
     unit: str
     bare: str
 
     def in_unit(self, unit: str) -> str:
-        """Return the digits that tell this number in another unit of its kind, without rounding."""
+        """Return the digits of this number in another unit of the same kind, without rounding."""
         mine, other = coherent(self.unit)[1], coherent(unit)[1]
         if mine == other:
             return self.digits
@@ -50,7 +50,7 @@ class Told:
 
 @dataclass(frozen=True, slots=True)
 class Content:
-    """The words of a sentence that matter, in order, `#0#` standing for its first number, and the numbers."""
+    """The significant words of a sentence in order, with `#0#` for its first number, and the numbers."""
 
     words: tuple[str, ...]
     numbers: tuple[Told, ...]
@@ -62,7 +62,7 @@ class Content:
 
     @property
     def order(self) -> tuple[str, ...]:
-        """Return the words of the sentence whose order matters, in order, each once where it is repeated at once."""
+        """Return the words of the sentence whose order matters, in order, without immediate repetitions."""
         several = sum(word in SURFACES for word in self.words) > 1
         matters: frozenset[str] = ORDERED.union(TEXTURES, SURFACES) if several else ORDERED
         found = [word for word in self.words if word in matters]
@@ -74,7 +74,7 @@ class Content:
         return tuple(word for word in self.words if len(word) == 1)
 
     def beside(self, index: int) -> frozenset[str]:
-        """Return the words next to a number on either side."""
+        """Return the words directly before and after a number, given by its index."""
         at = self.words.index(f"#{index}#")
         near = (*self.words[max(at - 1, 0) : at], *self.words[at + 1 : at + 2])
         return frozenset(word for word in near if word[0] != "#")
@@ -82,7 +82,7 @@ class Content:
 
 @lru_cache(maxsize=1024)
 def content(sentence: str) -> Content:
-    """Return what a sentence tells; numbers count from 0 in the order in which they stand."""
+    """Return the significant words and numbers of a sentence; numbers count from 0 in order of occurrence."""
     numbers: list[Told] = []
 
     def numbered(found: re.Match[str]) -> str:
@@ -94,7 +94,7 @@ def content(sentence: str) -> Content:
 
 
 def content_of_form(form: str) -> Content:
-    """Return what a sentence tells whose numbers are symbols in dollars; each stands as a number without a unit."""
+    """Return the content of a sentence with symbols in dollars; each counts as a number without a unit."""
     symbols: list[Told] = []
 
     def numbered(found: re.Match[str]) -> str:
@@ -105,7 +105,7 @@ def content_of_form(form: str) -> Content:
 
 
 def _unit(said: str) -> tuple[str, str, str]:
-    """Return a unit, the same without prefixes, and what of `said` is no unit."""
+    """Return the unit at the start of a string, the unit without prefixes, and the remainder of the string."""
     word = said.rstrip(".")
     try:
         return (word, coherent(word)[0], "") if word else ("", "", "")
@@ -129,7 +129,7 @@ def _words(text: str) -> Iterator[str]:
 
 
 def _letters(text: str) -> str:
-    """Return the text in lower case but for the letters of bodies; a capital A at the start is an article."""
+    """Return the text in lower case except for the letters of bodies; a capital A at the start is an article."""
     text = re.sub(r"^\W*A\s+(?=[a-z#])", "a ", text)
     return re.sub(r"\b(?![A-Z]\b)\w+", lambda word: word[0].lower(), text)
 
@@ -139,9 +139,9 @@ def _phrases() -> tuple[tuple[re.Pattern[str], str], ...]:
     return tuple((re.compile(pattern), plain) for pattern, plain in PHRASES.items())
 
 
-ALONE = 4  # numbers with a word of their own, such as *smooth*, that are shown one by one
-KINDS = 4  # of parts that may stand in the same place, such as bodies that roll
-RANDOM = 1  # scenes of each entity drawn as they come
+ALONE = 4  # words that fix a number, such as *smooth*, each of which gets a scene of its own
+KINDS = 4  # classes of parts tried for the same field, such as bodies that roll
+RANDOM = 1  # random scenes of each entity
 WORDINGS = 2  # of each scene
 IT = "it"
 GRAVITY, _GRAVITY_OF_SYMBOL = "Take g = $g$.", "The acceleration of free fall is $g$."  # as with a number, and without
@@ -149,7 +149,7 @@ GRAVITY, _GRAVITY_OF_SYMBOL = "Take g = $g$.", "The acceleration of free fall is
 
 @dataclass(frozen=True, slots=True)
 class Form:
-    """A sentence with symbols in dollars for its numbers, each with its unit; `place` is how far on in a text it is."""
+    """A library sentence with symbols in dollars for its numbers; `place` is its relative position in a text."""
 
     text: str
     units: tuple[str, ...]
@@ -158,18 +158,18 @@ class Form:
 
 
 class _Teller(Writer):
-    """A writer that takes the wording of one number throughout, and of nouns always the first."""
+    """A writer that uses the same index for all wordings, and always the first noun."""
 
     wording = 0
 
     def choose(self, options: tuple[str, ...]) -> str:
-        """Return the wording of that number, counted round."""
+        """Return the wording of this writer's index, modulo the number of wordings."""
         return options[self.wording % len(options)]
 
 
 @cache
 def forms() -> tuple[Form, ...]:
-    """Return all forms that are known, each once."""
+    """Return all sentence forms of the library, without repetitions."""
     found: dict[str, Form] = {}
     for cls in ENTITIES.values():
         for number, chosen in enumerate(_choices(cls)):
@@ -179,7 +179,7 @@ def forms() -> tuple[Form, ...]:
 
 
 def _choices(cls: type[Entity]) -> Iterator[dict[str, Choice]]:
-    """Yield settings for drawing scenes of an entity, enough to need each special word, such as *smooth*, once."""
+    """Yield settings for random scenes of an entity that together use each special word, such as *smooth*."""
     fields = [(model, name, held) for model in reachable(cls) for name, held in field_types(model).items()]
     told = {f"{model.__name__}.{name}": specials(model, name) for model, name, _ in fields if specials(model, name)}
     few = {
@@ -197,7 +197,7 @@ def _choices(cls: type[Entity]) -> Iterator[dict[str, Choice]]:
 
 
 def _forms_of(cls: type[Entity], number: int, chosen: dict[str, Choice], known: Container[str]) -> Iterator[Form]:
-    """Yield the sentences about a random scene of an entity that are not yet known; none if the scene is not valid."""
+    """Yield the new sentence forms of one random scene of an entity; none if the scene is invalid."""
     rng = np.random.default_rng([number])
     try:
         scene = closed(Named(name=IT, entity=draw(cls, rng, chosen)), rng)

@@ -1,4 +1,4 @@
-"""Of the library's own sentences those that say what a sentence says, and the one that comes nearest."""
+"""Search for the library's sentences that are equivalent or most similar to a sentence."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -9,14 +9,14 @@ from sim2reason.scenes.dsl.units import coherent
 from sim2reason.text.parsing.ordinary.content import Content, Form, Told, content, forms
 from sim2reason.text.parsing.ordinary.vocabulary import NOUNS
 
-LEAST = 0.2  # of all words of two sentences that they share, for one to be shown as near the other
-LONGEST = 600  # characters of a sentence that may be like one of the library
-NUMBERS = 1.0  # the weight of a number beside that of a word
+LEAST = 0.2  # share of common words of two sentences from which one is suggested for the other
+LONGEST = 600  # characters of a sentence that is compared with the library's
+NUMBERS = 1.0  # weight of a number, compared with a word
 _SYMBOL = re.compile(r"\$[^$\n]{1,40}\$")
 
 
 def same(sentence: str) -> list[Form]:
-    """Return the forms that say neither more nor less than a sentence, in any wording, those with its letters first."""
+    """Return the forms equivalent to a sentence in any wording, those with the same letters first."""
     said = content(sentence)
     return sorted(
         (form for form in forms() if _equal(said, form)), key=lambda form: form.content.letters != said.letters
@@ -32,12 +32,12 @@ def _by_core() -> dict[frozenset[str], list[Form]]:
 
 
 def _core(said: Content) -> frozenset[str]:
-    """Return the words by which a sentence is looked up: sentences with the same meaning have the same ones."""
+    """Return the words by which a sentence is looked up; equivalent sentences have the same words."""
     return said.facts - NOUNS - {"rough"}
 
 
 def nearest(sentence: str) -> str | None:
-    """Return the form that shares most words with a sentence, its numbers filled in; None if none is near."""
+    """Return the form that shares most words with a sentence, with its numbers filled in; None if none is similar."""
     if len(sentence) > LONGEST:
         return None
     said = content(sentence)
@@ -46,15 +46,15 @@ def nearest(sentence: str) -> str | None:
 
 
 def filled(form: Form, said: Content) -> str:
-    """Return the text of a form with the numbers that a sentence tells; a symbol stays where it tells none."""
+    """Return the text of a form with the numbers of a sentence; a symbol without a number remains."""
     values = iter(_values(form, said))
     return _SYMBOL.sub(lambda symbol: next(values) or symbol[0], form.text)
 
 
 def _values(form: Form, said: Content) -> Iterator[str | None]:
-    """Yield, for each number that a form asks for, the number of the user's sentence that fills it.
+    """Yield, for each number of a form, the matching number of the user's sentence, or None if ambiguous.
 
-    It is the next unused one of the same kind (a mass for a mass), or None where another one could be meant as well.
+    Numbers correspond if they are of the same kind, such as two masses, and in order.
     """
     left = list(enumerate(said.numbers))
     kinds = [coherent(unit)[0] for unit in form.units]
@@ -69,7 +69,7 @@ def _values(form: Form, said: Content) -> Iterator[str | None]:
 
 
 def _certain(said: Content, mine: int, other: Content, theirs: int) -> bool:
-    """Return whether a sentence's number surely is that of a form: beside the same word, or in a list of bodies."""
+    """Return whether two numbers certainly correspond: beside the same word, or in a list of bodies."""
     listed = said.letters == other.letters or f"#{mine - 1}# #{mine}#" in " ".join(said.words) or mine == 0
     return bool(said.beside(mine) & other.beside(theirs)) or (listed and any(map(_is_letter, other.beside(theirs))))
 
@@ -95,7 +95,7 @@ def _common(some: Sequence[str], others: Sequence[str]) -> int:
 
 
 def _equal(said: Content, form: Form) -> bool:
-    """Return whether a form says what a sentence says: in its words and order of bodies, with numbers that match."""
+    """Return whether a form is equivalent to a sentence: same words, same order of bodies, matching numbers."""
     other = form.content
     kinds, units = [number.bare for number in said.numbers], [coherent(unit)[0] for unit in form.units]
     if sorted(kinds) != sorted(units) or not (_agree(said, other) or _of_one(said, other)):
@@ -106,12 +106,12 @@ def _equal(said: Content, form: Form) -> bool:
 
 
 def _agree(said: Content, other: Content) -> bool:
-    """Return whether both have the same words; a sentence may leave out *rough*, since it states the friction."""
+    """Return whether two contents have the same words; *rough* may be missing if the friction is stated."""
     return said.facts in (other.facts, other.facts - {"rough"}) and said.order == other.order
 
 
 def _of_one(said: Content, other: Content) -> bool:
-    """Return whether both have the same words, except for a noun, as *block*, that only one of them has."""
+    """Return whether two contents have the same words, except for one noun, such as *block*, in only one of them."""
     mine, theirs = said.facts & NOUNS, other.facts & NOUNS
     if said.letters or other.letters or len(mine) + len(theirs) != 1:
         return False
@@ -126,7 +126,7 @@ def _introduced(form: Form) -> bool:
 
 
 def _in_turn(said: Content, other: Content, kinds: list[str], units: list[str], kind: str) -> bool:
-    """Return whether the numbers of a kind match one by one: beside the same word, or beside the letter of a body."""
+    """Return whether the numbers of a kind match one by one: beside the same words, or the same letters of bodies."""
     pairs = zip(_of_kind(kinds, kind), _of_kind(units, kind), strict=True)
     return all(_alike(said.beside(mine), other.beside(theirs)) for mine, theirs in pairs)
 

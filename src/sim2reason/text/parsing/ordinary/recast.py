@@ -1,4 +1,4 @@
-"""A text in ordinary English told again in the library's own sentences, as far as each says the same as one of them."""
+"""Rewriting of a text in ordinary English into equivalent sentences of the library."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -13,9 +13,9 @@ from sim2reason.text.parsing.ordinary.vocabulary import NOUNS
 from sim2reason.text.prose.closings import CLOSINGS, RESTS, is_assumption
 
 CHOICES = 4  # forms of a sentence that are tried
-MOST = 24  # texts that are tried
+MOST = 24  # rewritten texts that are tried
 FIRST_LETTER = "A"
-LAST = 1.0  # the place of what stands at the end of a text
+LAST = 1.0  # relative position of the last sentence of a text
 PRESUMED = re.compile("g|start with .*taut|room|.*pulleys? and room.*|room on faces")
 """Closings that people leave out: the usual g, pulleys without friction, strings that are taut, room to move."""
 
@@ -33,7 +33,7 @@ _ENDS = re.compile(r"^(?:it |they )?(?:is|are) ")
 
 @dataclass(frozen=True, slots=True)
 class Recast:
-    """A text in the library's sentences; whether it starts from rest is left to the closing that the scene needs."""
+    """A text in the library's sentences; the scene's closing decides whether it starts from rest."""
 
     said: tuple[str, ...]
     from_rest: bool
@@ -41,11 +41,11 @@ class Recast:
 
     @property
     def whole(self) -> bool:
-        """Return whether a closing says that the motion starts from rest, if the original text says so."""
+        """Return whether the closings include a start from rest if the original text states one."""
         return not self.from_rest or any(name.startswith("rest") for name in self.added)
 
     def adding(self, name: str) -> "Recast | None":
-        """Return the text with the closing of a name in its place; None for what the text does not say or presume."""
+        """Return the text with the named closing inserted; None if the text neither states nor presumes it."""
         if not (PRESUMED.fullmatch(name) or (self.from_rest and name.startswith("rest"))):
             return None
         found = next(closing for closing in CLOSINGS if closing.name == name)
@@ -59,12 +59,12 @@ class Recast:
 
 
 def first_unlike(said: Sequence[str]) -> int | None:
-    """Return the index of the first sentence that says what no form of the library does; None if there is none."""
+    """Return the index of the first sentence without an equivalent form in the library; None if all have one."""
     return next((index for index, sentence in enumerate(_unlettered(said)) if _forms(sentence) is None), None)
 
 
 def recast(said: Sequence[str]) -> Iterator[Recast]:
-    """Yield texts in the library's sentences that say the same, in the order of the text and in the usual one."""
+    """Yield equivalent texts in the library's sentences, in the order of the text and in the usual order."""
     found = [_forms(sentence) for sentence in _unlettered(said)]
     if not all(each is not None for each in found):
         return
@@ -80,12 +80,12 @@ def recast(said: Sequence[str]) -> Iterator[Recast]:
 
 
 def _of_these(told: list[tuple[str, float]], nouns: frozenset[str]) -> list[tuple[str, float]]:
-    """Return the forms that name only bodies of the text; if every form names others, too, return all forms."""
+    """Return the forms that name only bodies of the text, or all forms if every one names others."""
     return [each for each in told if nouns.issuperset(content(each[0]).facts & NOUNS)] or told
 
 
 def _unlettered(said: Sequence[str]) -> Sequence[str]:
-    """Return the sentences without the letter A, as in *block A*, if A is the only letter that names a body."""
+    """Return the sentences without the letter A, as in *block A*, if it is the only letter of a body."""
     if max(map(len, said)) > LONGEST or {letter for sentence in said for letter in content(sentence).letters} != {
         FIRST_LETTER
     }:
@@ -94,7 +94,7 @@ def _unlettered(said: Sequence[str]) -> Sequence[str]:
 
 
 def _comes_after(sentence: str, name: str) -> bool:
-    """Return whether a sentence is a closing that comes after the closing called `name`; *g = …* comes last."""
+    """Return whether a sentence is a closing that follows the closing `name`; *g = …* is always last."""
     last = re.search(r"\bg = ", sentence) is not None
     return is_assumption(sentence) and (last or name.startswith(("rest", "start")))
 
@@ -114,9 +114,9 @@ def _forms(sentence: str) -> list[list[tuple[str, float]]] | None:
 
 
 def _known(sentence: str) -> list[tuple[str, float]] | None:
-    """Return the sentences by which the library says what a clause of the user's text says, each with its usual place.
+    """Return the library's sentences for a clause of the user's text, each with its usual relative position.
 
-    None stands for a clause that the library cannot say, an empty list for *it starts from rest*, which needs no words.
+    None means that the library has no sentence for the clause; the list is empty for *it starts from rest*.
     """
     forms = same(sentence)
     if any(form.text in RESTS for form in forms):
@@ -130,14 +130,14 @@ def _known(sentence: str) -> list[tuple[str, float]] | None:
 
 
 def _lettered(text: str, form: Form, said: Content) -> str:
-    """Return a form's text; the only letter in it becomes A if the sentence has no letter."""
+    """Return a form's text; its only letter is replaced by A if the sentence has no letter."""
     if said.letters or len(form.content.letters) != 1:
         return text
     return re.sub(rf"\b{form.content.letters[0]}\b", FIRST_LETTER, text, count=1)
 
 
 def _apart(sentence: str) -> Iterator[list[str]]:
-    """Yield the two parts of a sentence for each *and* or comma at which it can be split; nothing if it is too long."""
+    """Yield the two halves of a sentence for each *and* or comma where it can be split; none if it is too long."""
     if len(sentence) > LONGEST:
         return
     if _RELEASED_SOMEWHERE.search(sentence):

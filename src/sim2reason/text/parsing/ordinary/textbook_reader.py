@@ -1,4 +1,4 @@
-"""Translation of descriptions of whole scenes from the words of textbooks into the library's sentences."""
+"""Translation of whole scene descriptions from textbook language into the library's sentences."""
 
 import re
 from collections.abc import Sequence
@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from sim2reason.text.parsing.ordinary.amounts import Amount, set_apart
 from sim2reason.text.parsing.ordinary.textbook_scenes import TEXTBOOK_SCENES, Facts, TextbookScene, compiled
 
-MOST_SENTENCES = 12  # of a text in which a superfluous one is looked for
-LONGEST = 1500  # characters of a text that is looked at
-RESERVED = re.compile(r"[#|]")  # used below in place of numbers, and of words that a pattern has matched
+MOST_SENTENCES = 12  # longest text in which a superfluous sentence is searched for
+LONGEST = 1500  # characters of a text that is translated
+RESERVED = re.compile(r"[#|]")  # characters that stand for numbers and for matched words below
 GENERAL = (
     r"(?:(?:take|use|let|assume|with|where|here) )?g (?:= |is |as |to be )?<g:accel>",
     r"(?:(?:take|use|assume) )?(?:the )?acceleration (?:due to|of) gravity (?:is |as |to be )?(?:g = )?<g:accel>",
@@ -66,14 +66,14 @@ PLACES = frozenset({"surface", "plane", "slope", "incline", "inclined plane"})
 
 @dataclass(frozen=True, slots=True)
 class LibraryText:
-    """A scene in the library's sentences, and the facts for it that are missing from the original text."""
+    """A scene in the library's sentences, and the names of required facts missing from the original text."""
 
     text: str
     missing: tuple[str, ...]
 
 
 def library_texts(text: str) -> list[LibraryText]:
-    """Return the translations of a text, one for each kind of scene that accounts for all of its words."""
+    """Return the translations of a text, one for each kind of scene whose patterns match all of its words."""
     if len(text) > LONGEST or RESERVED.search(text):
         return []
     words, amounts = normalised(text)
@@ -82,7 +82,7 @@ def library_texts(text: str) -> list[LibraryText]:
 
 
 def superfluous(sentences: Sequence[str]) -> int | None:
-    """Return the index of the sentence without which a text can be translated; None if there is none, or many."""
+    """Return the index of the one sentence without which a text can be translated; None unless it is unique."""
     if len(sentences) > MOST_SENTENCES:
         return None
     others = (" ".join((*sentences[:index], *sentences[index + 1 :])) for index in range(len(sentences)))
@@ -91,7 +91,7 @@ def superfluous(sentences: Sequence[str]) -> int | None:
 
 
 def normalised(text: str) -> tuple[str, tuple[Amount, ...]]:
-    """Return a text in lower case, with placeholders for numbers and full stops as separate words, and its numbers."""
+    """Return a text in lower case with placeholders for numbers and separate full stops, and its numbers."""
     apart, amounts = set_apart(" ".join(text.split()))
     plain = re.sub(r"[,;:()]", " ", apart.lower())
     plain = re.sub(r"\.(?=\s|$)", " . ", plain.replace("=", " = "))
@@ -99,7 +99,7 @@ def normalised(text: str) -> tuple[str, tuple[Amount, ...]]:
 
 
 def _translated(scene: TextbookScene, words: str, amounts: tuple[Amount, ...]) -> LibraryText | None:
-    """Translate a text about one kind of scene; None if it is about another, or a word is left over."""
+    """Translate a text as one kind of scene; None if it is of another kind, or a word remains unmatched."""
     begins = all(compiled(pattern).search(words) for pattern in scene.opening)
     if not begins or (scene.never and compiled(scene.never).search(words)):
         return None
@@ -118,7 +118,7 @@ def _translated(scene: TextbookScene, words: str, amounts: tuple[Amount, ...]) -
 
 
 def _taken(pattern: str, words: str, amounts: tuple[Amount, ...], given: dict[str, str | Amount]) -> str:
-    """Replace the matches of a pattern and enter their facts in `given`; return an empty text if facts contradict."""
+    """Remove the matches of a pattern and store their facts in `given`; return an empty text on contradictions."""
     expression = compiled(pattern)
     for found in expression.finditer(words):
         for group, said in found.groupdict().items():
@@ -133,13 +133,13 @@ def _taken(pattern: str, words: str, amounts: tuple[Amount, ...], given: dict[st
 
 
 def _kept(found: re.Match[str]) -> str:
-    """Return the replacement of a match: the text of its group `keep`, if any."""
+    """Return the replacement of a match: the text of its group `keep`, or nothing."""
     kept = (said for name, said in found.groupdict().items() if name.startswith("keep") and said is not None)
     return next(kept, "|")
 
 
 def _one(nouns: str, words: str, generic: frozenset[str]) -> bool:
-    """Return whether a text uses only one of the nouns beside generic ones, and introduces it at most once."""
+    """Return whether a text uses only one of the nouns, apart from generic ones, and introduces it at most once."""
     if not nouns:
         return True
     used = {found[0].strip() for found in compiled(nouns).finditer(words)}

@@ -1,4 +1,4 @@
-"""Words of ordinary English that mean the same in the text of a scene, and words that tell nothing there."""
+"""Synonyms of the words in scene texts, and words of ordinary English without physical content."""
 
 from collections.abc import Mapping
 

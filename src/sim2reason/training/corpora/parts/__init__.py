@@ -1,1 +1,1 @@
-"""What corpora share: how files of rows are read and mixed, how rows become tokens, how solutions become arithmetic."""
+"""Helpers shared by corpora: reading and mixing of rows, tokenization, arithmetic solutions."""

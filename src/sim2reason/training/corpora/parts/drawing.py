@@ -1,4 +1,4 @@
-"""Rows of problems that are drawn from a seed, made in several processes, which never change them."""
+"""Rows of problems generated from a seed by several processes, independent of their number."""
 
 from collections import Counter
 from collections.abc import Callable, Iterator
@@ -14,8 +14,8 @@ from sim2reason.training.sources.fresh import Fresh
 
 __all__ = ["RowsOf", "drawn_rows"]
 
-TOGETHER = 16  # problems that a process makes before it gives them back, at most
-EMPTY = 50  # requests for each problem that is wanted, after which too few are found
+TOGETHER = 16  # problems that a process makes per task, at most
+EMPTY = 50  # requests per wanted problem after which the search fails
 RowsOf = Callable[[Request], list[Row] | None]
 """The rows of a problem: none if it can have no rows, None if there is no such problem. A pure function."""
 
@@ -23,9 +23,9 @@ RowsOf = Callable[[Request], list[Row] | None]
 def drawn_rows(
     problems: Fresh, rows_of: RowsOf, items: int, workers: int, left_out: Counter[str], reason: str
 ) -> Iterator[Row]:
-    """Yield the rows of the first so many problems that have some, in their order; of the others, `reason` counts them.
+    """Yield the rows of the first `items` problems that have rows, in order.
 
-    Where problems are so rare that they are given up, there are fewer.
+    There are fewer rows if problems are too rare. Problems without rows are counted under `reason`.
     """
     found, size = 0, min(TOGETHER, items)
     with ProcessPoolExecutor(workers, mp_context=ALONE, initializer=begin_worker) as pool:
@@ -46,7 +46,7 @@ def drawn_rows(
 
 
 def _stretch(problems: Fresh, rows_of: RowsOf, number: int, size: int) -> list[list[Row]]:
-    """Return the rows of each problem of a stretch."""
+    """Return the rows of each problem in an interval of indices."""
     cells, found = problems.cells, list[list[Row]]()
     for place in range(number * size, (number + 1) * size):
         index, cell = divmod(place, len(cells))

@@ -1,4 +1,4 @@
-"""Files of JSON lines with a prompt and a completion in each: read strictly, a bounded line at a time."""
+"""Files of JSON lines with prompts and completions, parsed strictly with a limit on line length."""
 
 import json
 from collections.abc import Iterator
@@ -14,7 +14,7 @@ LONGEST: Final = 2**24  # bytes of a line
 
 
 def rows_in(path: Path, prompt: str = "prompt", completion: str = "completion") -> Iterator[Row]:
-    """Yield the row in each line of a file, by the names of its two fields; empty lines are passed over.
+    """Yield the row in each line of a file, by the names of its two fields; empty lines are skipped.
 
     Raises:
         TrainingError: no such file, or a line that holds no such texts; it names the line.
@@ -42,7 +42,7 @@ def _object(line: bytes, place: str) -> dict[str, object]:
 
 
 def _text(held: dict[str, object], name: str, place: str) -> str:
-    """A field that is a text with something in it; half of a surrogate pair, which no file can hold, is marked."""
+    """Return a nonempty text field, with unpaired surrogates replaced."""
     found = held.get(name)
     if not isinstance(found, str) or not found.strip():
         raise TrainingError(f"{place}: its field {name[:80]!r} is no text; name the fields of the file")

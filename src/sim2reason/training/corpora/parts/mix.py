@@ -1,4 +1,4 @@
-"""Mixture of corpora, and the encoding of rows as tokens."""
+"""Mixture of corpora, and tokenization of rows."""
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
@@ -31,14 +31,14 @@ __all__ = [
 # pyright: reportUnknownVariableType=false, reportUnknownArgumentType=false
 
 
-IGNORED = -100  # the label of a token that no loss is computed of, as torch has it
-TOGETHER = 8192  # rows whose tokens are objects of Python at one time
+IGNORED = -100  # label of a token that is excluded from the loss, as in torch
+TOGETHER = 8192  # rows tokenized at once
 TOKENS = pa.list_(pa.int32())
 
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """How many tokens rows have at most."""
+    """The largest numbers of tokens of a row."""
 
     prompt: int
     completion: int
@@ -49,23 +49,23 @@ class Limits:
 
 @dataclass(frozen=True, slots=True)
 class EncodedRow:
-    """A row in tokens."""
+    """A tokenized row."""
 
     prompt: list[int]
     completion: list[int]
 
     @property
     def tokens(self) -> list[int]:
-        """All of them."""
+        """Return all tokens, prompt and completion."""
         return self.prompt + self.completion
 
     @property
     def labels(self) -> list[int]:
-        """Of each token, which is ignored in the prompt."""
+        """Return the labels of all tokens; prompt tokens are ignored."""
         return [IGNORED] * len(self.prompt) + self.completion
 
     def excess(self, limits: Limits) -> str:
-        """Return which limit it passes; empty if none."""
+        """Return the name of the limit that the row exceeds; empty if none."""
         if len(self.prompt) > limits.prompt:
             return "prompt too long"
         if len(self.completion) > limits.completion:
@@ -76,9 +76,9 @@ class EncodedRow:
 def encoded_table(
     rows: Sequence[Row], tokenizer: External, limits: Limits, *, chat: bool
 ) -> tuple[pa.Table, Counter[str]]:
-    """Return the rows within limits as trainers take them, and how many are beyond which.
+    """Return the rows within limits as a table for trainers, and counts of rows beyond each limit.
 
-    The columns are `input_ids`, `labels`, both of tokens, and `length`, how many a row has.
+    The columns are `input_ids` and `labels`, both of tokens, and `length`, their number.
     """
     left_out = Counter[str]()
     schema = pa.schema({"input_ids": TOKENS, "labels": TOKENS, "length": pa.int32()})
@@ -96,14 +96,14 @@ def _batches(slices: Iterator[list[EncodedRow]], limits: Limits, left_out: Count
 
 
 def _lists(held: Sequence[Sequence[int]]) -> pa.ListArray:
-    """Lists as one array, which is many times as fast as to let pyarrow find out what they are."""
+    """Return lists as one array, which is much faster than type inference by pyarrow."""
     ends = np.cumsum([0, *map(len, held)], dtype=np.int32)
     values = np.fromiter(chain.from_iterable(held), np.int32, count=int(ends[-1]))
     return pa.ListArray.from_arrays(ends, values)
 
 
 def encoded(rows: Sequence[Row], tokenizer: External, *, chat: bool) -> list[EncodedRow]:
-    """Return all rows in tokens; with `chat` as messages in the tokenizer's template, else as plain texts."""
+    """Return the tokenized rows; with `chat` as messages in the tokenizer's template, else as plain texts."""
     pairs = [templated(row, tokenizer) if chat else (row.prompt, row.completion) for row in rows]
     first = _tokens([prompt for prompt, _ in pairs], tokenizer, special=not chat)
     second = _tokens([completion for _, completion in pairs], tokenizer, special=False)
@@ -112,9 +112,9 @@ def encoded(rows: Sequence[Row], tokenizer: External, *, chat: bool) -> list[Enc
 
 
 def templated(row: Row, tokenizer: External) -> tuple[str, str]:
-    """Return a row as its messages are written: what stands before the completion, and that to the end of its turn.
+    """Return a row in the chat template: the text before the completion, and the completion with its end.
 
-    Where a template writes an earlier turn otherwise than the one to be answered, the completion stands as it is.
+    If a template changes earlier turns, the completion is used without the template.
     """
     asked = [{"role": "user", "content": row.prompt}]
     said = [*asked, {"role": "assistant", "content": row.completion}]
@@ -137,7 +137,7 @@ MOST_ROWS = 10_000_000
 
 @dataclass(frozen=True, slots=True)
 class Counted:
-    """What became of one corpus."""
+    """The counts of rows of one corpus."""
 
     kind: str
     rows: int
@@ -152,16 +152,16 @@ class Counted:
 
 @dataclass(frozen=True, slots=True)
 class Mix:
-    """Rows in the order in which they are learned from, and where they are from."""
+    """The rows in the order of training, with their corpora."""
 
     rows: list[Row]
     corpora: list[Counted]
 
 
 def mixed(corpora: Sequence[Corpus], seed: int, avoid: frozenset[str] = frozenset()) -> Mix:
-    """Return all rows of all corpora, weighted and shuffled: a pure function of the corpora and the seed.
+    """Return all rows of all corpora, weighted and shuffled, as a pure function of corpora and seed.
 
-    Rows whose prompt or fingerprint is one to `avoid`, which is kept for evaluation, are left out.
+    Held-out rows, whose prompt or fingerprint is in `avoid`, are omitted.
 
     Raises:
         TrainingError: a corpus without a row, or more rows than fit.
@@ -188,12 +188,12 @@ def mixed(corpora: Sequence[Corpus], seed: int, avoid: frozenset[str] = frozense
 
 
 def counted(reasons: Mapping[str, int]) -> str:
-    """In words."""
+    """Return counts by reason in words."""
     return ", ".join(f"{count} ({reason})" for reason, count in sorted(reasons.items()))
 
 
 def _weighted(rows: list[Row], weight: float, rng: np.random.Generator) -> list[Row]:
-    """Return each row as many times as the weight is whole, and a random part of them once more; at least one."""
+    """Return the rows repeated by an integer weight, with a random subset for the fraction; at least one."""
     times, part = divmod(weight, 1.0)
     more = rng.permutation(len(rows))[: round(part * len(rows))]
     return rows * int(times) + [rows[place] for place in sorted(more)] or [rows[0]]

@@ -1,4 +1,4 @@
-r"""A solution as arithmetic: one operation after the other, so short that a small model can learn to write it.
+r"""Arithmetic solutions: one operation after another, short enough for a small model to learn.
 
     a=2/3*sin44*9.8=4.54; v=*0.5=2.27; p=6.1*2.27=13.8
     \boxed{13.8}
@@ -33,11 +33,11 @@ Definitions = Mapping[str, Expression]
 
 
 class UnwrittenError(Exception):
-    """A formula that has no arithmetic: a root that is found numerically, say."""
+    """An error for a formula without an arithmetic form, such as a numerical root."""
 
 
 def definitions(solution: Solution) -> Definitions:
-    """Return the formulas that lead from what is given to the goal, the goal last; empty where there are none such."""
+    """Return the formulas from given numbers to the goal, the goal last; empty if there are none."""
     known = given(solution)
     found: dict[str, Expression] = {}
     for relation in solution.relations:
@@ -58,9 +58,9 @@ def definitions(solution: Solution) -> Definitions:
 
 
 def arithmetic(solution: Solution, slip: Callable[[Definitions], Definitions] = lambda held: held) -> str:
-    """The operations that lead to the answer, and the answer in a box; empty where a formula can't be so written.
+    """Return the operations that lead to the answer, with it in a box; empty if a formula has no such form.
 
-    `slip` may put other formulas in place of the right ones: what follows from them is worked out all the same.
+    `slip` may replace formulas by wrong ones, whose consequences are computed consistently.
     """
     if not solution.derived or not solution.values.get(solution.goal):
         return ""
@@ -80,7 +80,7 @@ def arithmetic(solution: Solution, slip: Callable[[Definitions], Definitions] = 
 
 
 def given(solution: Solution) -> dict[str, float]:
-    """Return the numbers that a problem states."""
+    """Return the numbers that a problem states, by symbol."""
     return {
         relation.left.latex(): solution.values[relation.left.latex()]
         for relation in solution.relations
@@ -89,7 +89,7 @@ def given(solution: Solution) -> dict[str, float]:
 
 
 def plain_number(value: float) -> str:
-    """Three digits, without LaTeX; from ten thousand on with a power of ten."""
+    """Return a number with three digits, without LaTeX; from ten thousand on with a power of ten."""
     if abs(value) >= LARGEST_PLAIN:
         return f"{value:.{ARITHMETIC_DIGITS - 1}e}".replace("e+0", "e").replace("e+", "e")
     return rounded(value, ARITHMETIC_DIGITS).replace(r" \times 10^{", "e").rstrip("}")
@@ -97,14 +97,14 @@ def plain_number(value: float) -> str:
 
 @dataclass(frozen=True, slots=True)
 class _Operand:
-    """A number as it is written, and what it is."""
+    """A number with its written form."""
 
     text: str
     value: float
 
 
 def _constant(value: float) -> _Operand:
-    """Return a pure number: a fraction where it is a simple one."""
+    """Return a pure number, as a fraction if it is a simple one."""
     fraction = simple_fraction(value)
     return _rounded(value) if fraction is None else _Operand(str(fraction), value)
 
@@ -116,7 +116,7 @@ def _rounded(value: float) -> _Operand:
 
 @dataclass
 class _Written:
-    """What has been worked out."""
+    """The operations written so far, and their results."""
 
     values: dict[str, _Operand]
     steps: list[str] = field(default_factory=list[str])
@@ -124,7 +124,7 @@ class _Written:
     _last: str = "nothing yet"  # the result of the last operation
 
     def define(self, name: str, formula: Expression) -> None:
-        """Work a formula out; its last operation says its name."""
+        """Write the operations of a formula; the last one states its name."""
         before = len(self.steps)
         found = self._operand(formula)
         plain = UNWRITTEN.sub("", name)
@@ -150,7 +150,7 @@ class _Written:
                 return self._function(held)
 
     def _step(self, text: str, value: float) -> _Operand:
-        """Return an operation, written where it has not been worked out before."""
+        """Return the result of an operation, written unless it was already."""
         if text not in self._done:
             self._done[text] = _rounded(value)
             operation = text.removeprefix(self._last)
@@ -167,7 +167,7 @@ class _Written:
         return total
 
     def _product(self, factors: tuple[Expression, ...]) -> _Operand:
-        """Numbers and functions of what is given go with the first other factor."""
+        """Return a product; numbers and functions of given values join the first other factor."""
         single = [part for factor in factors for part in _repeated(factor)]
         constants = [factor for factor in single if isinstance(factor, Number | Pi | Call)]
         others = [factor for factor in single if factor not in constants]
@@ -191,7 +191,7 @@ class _Written:
         return product
 
     def _inline(self, held: Expression) -> _Operand:
-        """Return a function that is written inside a product, as in 9.8*sin44."""
+        """Return a function written inside a product, as in 9.8*sin44."""
         if isinstance(held, Call):
             return self._called(held)
         return self._operand(held)

@@ -1,4 +1,4 @@
-"""Problems with other numbers, solved by their formulas, and with planted slips."""
+"""Problems with other numbers, solved by their formulas, and with planted errors."""
 
 import re
 from collections.abc import Callable, Iterator, Mapping
@@ -20,7 +20,7 @@ Changes = Callable[[Expression], Iterator[Expression]]
 
 
 def _function(held: Expression) -> Iterator[Expression]:
-    """Sine for cosine, and the other way round."""
+    """Yield the expression with sine and cosine exchanged."""
     match held:
         case Call("sin", angle):
             yield Call("cos", angle)
@@ -31,7 +31,7 @@ def _function(held: Expression) -> Iterator[Expression]:
 
 
 def _factor(held: Expression) -> Iterator[Expression]:
-    """Without the number in front, as in a half or two thirds."""
+    """Yield the expression without its numeric factor, such as one half."""
     match held:
         case Product((Number(x), *rest)) if abs(x) != 1.0:
             yield Number(1.0 if x > 0.0 else -1.0) * held.built_of(rest)
@@ -40,7 +40,7 @@ def _factor(held: Expression) -> Iterator[Expression]:
 
 
 def _sign(held: Expression) -> Iterator[Expression]:
-    """With another sign of one term."""
+    """Yield the expression with the sign of one term changed."""
     match held:
         case Sum(terms):
             for place in range(1, len(terms)):
@@ -50,7 +50,7 @@ def _sign(held: Expression) -> Iterator[Expression]:
 
 
 def _term(held: Expression) -> Iterator[Expression]:
-    """Without one term."""
+    """Yield the expression without one term."""
     match held:
         case Sum(terms):
             for place in range(len(terms)):
@@ -64,7 +64,7 @@ SLIPS: Final[Mapping[str, Changes]] = {"factor": _factor, "function": _function,
 
 
 def slipped(held: Definitions, shares: Mapping[str, float], rng: np.random.Generator) -> Definitions:
-    """Return the same formulas with slips: each kind is made with its probability, where there is place for one."""
+    """Return the formulas with random errors, each kind with its probability where applicable."""
     for kind, share in sorted(shares.items()):
         wrong = rng.random() < share
         ways = [(name, way) for name, formula in held.items() for way in _anywhere(formula, SLIPS[kind])]
@@ -75,26 +75,26 @@ def slipped(held: Definitions, shares: Mapping[str, float], rng: np.random.Gener
 
 
 def _anywhere(held: Expression, changes: Changes) -> Iterator[Expression]:
-    """Yield a formula with one slip, in itself or in one of its parts."""
+    """Yield a formula with one error, in itself or in one of its parts."""
     yield from changes(held)
     for place, part in enumerate(held.parts):
         for changed in _anywhere(part, changes):
             yield held.built_of([changed if n == place else other for n, other in enumerate(held.parts)])
 
 
-WIDEST: Final = log(2.5)  # of the factor by which a number changes
+WIDEST: Final = log(2.5)  # logarithm of the largest factor on a number
 STEEPEST: Final = 85.0  # degrees
 TRIES: Final = 6
-KEPT: Final = frozenset({"g", "G"})  # constants of nature, which no problem changes
+KEPT: Final = frozenset({"g", "G"})  # constants of nature, which stay unchanged
 Place = tuple[tuple[int, int], str]
 """Where a number stands in a text, and how."""
 _NUMBER = re.compile(r"(?<![\w.,])\d+(?:\.\d+)?(?![\w]*[.,]?\d)")
 
 
 def renumbered(prompt: str, solution: Solution, rng: np.random.Generator) -> tuple[str, Solution] | None:
-    """Return a prompt and its solution with other numbers; None where none are found that keep all signs.
+    """Return a prompt and its solution with other numbers; None if none are found that keep all signs.
 
-    A number is changed where the prompt says it once, in the digits of the problem; others stay.
+    Only numbers that the prompt states once, in the digits of the problem, are changed.
     """
     for _ in range(TRIES):
         text, numbers = _changed(prompt, solution, rng)
@@ -107,7 +107,7 @@ def renumbered(prompt: str, solution: Solution, rng: np.random.Generator) -> tup
 
 
 def _changed(prompt: str, solution: Solution, rng: np.random.Generator) -> tuple[str, dict[str, float]]:
-    """Return the prompt with other numbers, and what is given then."""
+    """Return the prompt with other numbers, and the new given values."""
     places = [(found.span(), found.group()) for found in _NUMBER.finditer(prompt)]
     numbers, changes = dict(given(solution)), list[Place]()
     for name, value in numbers.items():
@@ -129,12 +129,12 @@ def _changed(prompt: str, solution: Solution, rng: np.random.Generator) -> tuple
 
 
 def _said(places: list[Place], value: float) -> list[Place]:
-    """Return where a number stands."""
+    """Return the positions at which a number occurs."""
     return [(span, text) for span, text in places if isclose(float(text), value, rel_tol=1e-9)]
 
 
 def _like(text: str, value: float) -> str:
-    """Return a number with as many significant digits as a text has."""
+    """Return a number with as many significant digits as a text."""
     digits = len(text.replace(".", "").lstrip("0")) or 1
     rounded = float(f"{value:.{digits - 1}e}")
     decimals = max(0, digits - 1 - int(np.floor(np.log10(rounded))))
@@ -142,7 +142,7 @@ def _like(text: str, value: float) -> str:
 
 
 def _values(solution: Solution, numbers: Mapping[str, float]) -> dict[str, float] | None:
-    """Return what follows from the numbers; None if a sign changes, or a formula has no value."""
+    """Return the results from the numbers; None if a sign changes, or a formula is undefined."""
     values = dict(numbers)
     for name, formula in definitions(solution).items():
         try:

@@ -1,1 +1,1 @@
-"""What models share: how a checkpoint is read, and how a tokenizer is made."""
+"""Helpers shared by models: loading of checkpoints, and construction of tokenizers."""

@@ -1,4 +1,4 @@
-"""A checkpoint and its tokenizer, read by the transformers library; no code that comes with one is run."""
+"""Checkpoints with tokenizers, loaded by transformers without running code that comes with them."""
 
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ ENDLESS = 2**31
 
 @dataclass(frozen=True, slots=True)
 class Loaded:
-    """A causal language model of the transformers library, and its tokenizer, which has tokens to pad and to end."""
+    """A causal language model with its tokenizer, which has padding and end tokens."""
 
     model: External
     tokenizer: External
@@ -28,7 +28,7 @@ class Loaded:
 
 @dataclass(frozen=True)
 class Checkpoint:
-    """Where a model and its tokenizer are loaded from, a folder or a name on the hub, and how."""
+    """The folder or Hub name of a model and its tokenizer, with options of loading."""
 
     path: str
     revision: str | None = None
@@ -38,7 +38,7 @@ class Checkpoint:
     attention: Attention = "auto"
 
     def load(self) -> Loaded:
-        """Both; TrainingError if they are not there, or no text ends."""
+        """Return the model and tokenizer; TrainingError if they do not exist, or there is no end token."""
         tokenizer = self.tokenizer()
         with self._explained():
             kind = library("transformers").AutoModelForCausalLM
@@ -46,7 +46,7 @@ class Checkpoint:
         return Loaded(model, tokenizer, self.path)
 
     def tokenizer(self, **settings: object) -> External:
-        """Return that of the checkpoint; one without a token to pad with pads with the one that ends a text."""
+        """Return the tokenizer; without a padding token, the end token is used for padding."""
         with self._explained():
             found = library("transformers").AutoTokenizer.from_pretrained(self.path, **self._source, **settings)
         if found.eos_token_id is None:
@@ -57,11 +57,11 @@ class Checkpoint:
 
     @property
     def context(self) -> int:
-        """Return how many tokens the model was made for; without end where its configuration does not say."""
+        """Return the context length in tokens; a huge number if the configuration does not state it."""
         return context_of(self._config())
 
     def check(self) -> None:
-        """TrainingError if there is no configuration of a model."""
+        """Raise TrainingError if there is no model configuration."""
         self._config()
 
     def _config(self) -> External:
@@ -70,14 +70,14 @@ class Checkpoint:
 
     @property
     def settings(self) -> dict[str, Any]:
-        """Return what `from_pretrained` of a model is told beside the path: what is chosen, and nothing else."""
+        """Return the explicitly chosen arguments of `from_pretrained`."""
         chosen = {"dtype": self.precision, "attn_implementation": self.attention}
         with self._explained():
             return {**self._source, **{name: value for name, value in chosen.items() if value != "auto"}}
 
     @cached_property
     def _source(self) -> dict[str, Any]:
-        """Asked for once: out of reach, the hub takes its time."""
+        """Return the arguments of `from_pretrained` that locate the files, determined once."""
         return loading(self.path, self.revision)
 
     def _explained(self) -> AbstractContextManager[None]:
@@ -85,5 +85,5 @@ class Checkpoint:
 
 
 def context_of(config: External) -> int:
-    """Return how many tokens a model of this configuration was made for."""
+    """Return the context length, in tokens, of a model configuration."""
     return getattr(config.get_text_config(), "max_position_embeddings", None) or ENDLESS

@@ -1,8 +1,8 @@
-"""A tokenizer made from a few texts: byte-pair encoding whose pieces may hold spaces, even whole sentences.
+"""Training of a tokenizer on few texts: byte-pair encoding whose pieces may span spaces and sentences.
 
-Prompts of one recipe share most of their words, so that a small vocabulary holds them in few tokens. Some characters
-are never joined with others: digits, so that numbers are spelled alike everywhere, and signs of operations. Bytes are
-the alphabet (Sennrich et al., 2016; Radford et al., 2019), so that any text is encoded and decoded without loss.
+Prompts of one recipe share most of their words, so that a small vocabulary encodes them in few tokens. Some characters
+are never merged with others: digits, so that numbers are encoded uniformly, and signs of operations. The alphabet is
+bytes (Sennrich et al., 2016; Radford et al., 2019), so that any text is encoded and decoded without loss.
 """
 
 import re
@@ -19,9 +19,9 @@ SMALLEST = 256 + 2
 
 
 def made(texts: Iterable[str], vocabulary: int, alone: str = ALONE) -> External:
-    """Return a tokenizer of at most `vocabulary` pieces, none of which joins a character of `alone` with another.
+    """Return a tokenizer with at most `vocabulary` pieces, none of which joins a character of `alone` to others.
 
-    It is a function of the texts as a multiset: their order and the number of threads do not matter.
+    The result depends on the set of texts with multiplicity, not on their order or the number of threads.
     """
     tokenizers, transformers = library("tokenizers"), library("transformers")
     found = tokenizers.Tokenizer(tokenizers.models.BPE())

@@ -1,1 +1,1 @@
-"""What scoring rules share: where answers stand, numbers, expressions, equations, lists."""
+"""Helpers shared by scoring rules: answers, numbers, expressions, equations and lists."""

@@ -36,7 +36,7 @@ __all__ = [
     "unit_or_none",
 ]
 
-MOST: Final = 64  # boxes that are looked at, the last ones
+MOST: Final = 64  # boxes examined, the last ones
 _AND: Final = re.compile(r"\\text\s*\{\s*and\s*\}|(?<![A-Za-z\\])and(?![A-Za-z])|\\quad|\\qquad")
 _BLANK: Final = re.compile(r"(?<!\\)\\[,;: ]|\$")
 _THOUSANDS: Final = re.compile(r"(?<=\d)(?:,|\{,\})(?=\d{3}(?!\d))")
@@ -44,7 +44,7 @@ OPENS, CLOSES = "([{", ")]}"
 
 
 def after_thinking(response: str) -> str:
-    """Return what is said after the thinking; empty if that never ends or the response is far too long."""
+    """Return the text after the thinking; empty if that never ends or the response is far too long."""
     try:
         return spoken(response)
     except Refused:
@@ -52,10 +52,7 @@ def after_thinking(response: str) -> str:
 
 
 def boxes(response: str) -> list[str]:
-    """Return the contents of all outermost boxes after the thinking, in order; none is longer than 1000 characters.
-
-    Those that print hides or words deny are left out.
-    """
+    """Return the contents of all outermost, visible, undenied boxes after the thinking, in order."""
     text = after_thinking(response)
     spans: list[tuple[int, int]] = []
     for begin, end in closed_boxes(text):
@@ -67,14 +64,14 @@ def boxes(response: str) -> list[str]:
 
 
 def in_box(answer: str) -> str:
-    """Return a response that has nothing but this answer."""
+    """Return a response that consists only of this answer in a box."""
     return rf"\boxed{{{answer}}}"
 
 
 def parts(answer: str, *, thousands: bool = True) -> list[str]:
-    """Return what stands between commas, semicolons or *and* outside all brackets, without dollars.
+    """Return the parts between commas, semicolons or *and* outside brackets, without dollar signs.
 
-    With `thousands` a comma before three digits belongs to a number.
+    With `thousands`, a comma before three digits belongs to a number.
     """
     text = _AND.sub(",", _BLANK.sub(" ", answer))
     text = _THOUSANDS.sub("", text) if thousands else text
@@ -88,7 +85,7 @@ def parts(answer: str, *, thousands: bool = True) -> list[str]:
     return [part.strip().rstrip(".") for part in found if part.strip(" .")]
 
 
-LAST: Final = 1000  # characters in which an answer without a box must stand
+LAST: Final = 1000  # characters at the end that are searched for an answer without a box
 _DRESS: Final = re.compile(
     r"\\(?:text|textbf|textrm|mathrm|mathbf|bf|rm|boldsymbol|mathsf)(?![A-Za-z])|\\[,;: &]|[{}$*~]"
 )
@@ -105,9 +102,9 @@ _SAID: Final = re.compile(
 
 
 def chosen(content: str) -> frozenset[str] | None:
-    """The options that an answer names, such as ``A``, ``(A), (C)``, ``ABD`` or ``B) 6.4 J``; None if it is no such.
+    """Return the options in an answer such as ``A``, ``(A), (C)``, ``ABD`` or ``B) 6.4 J``; None if it is not one.
 
-    *None* and *none of these* name no option.
+    *None* and *none of these* give an empty set.
     """
     if _NONE.fullmatch(content):
         return frozenset()
@@ -122,15 +119,15 @@ def chosen(content: str) -> frozenset[str] | None:
 
 
 def said_without_box(response: str) -> frozenset[str] | None:
-    """Return the options of the last *answer is …* near the end of a response; None if there is none."""
+    """Return the options in the last *answer is …* near the end of a response; None if there is none."""
     *_, last = [None, *_SAID.finditer(after_thinking(response)[-LAST:])]
     return None if last is None else frozenset(re.findall("[A-D]", last[1]))
 
 
 def read(content: str, unit: str | Unit | None = None, *, expected: float = 1.0) -> float | None:
-    """The one number that an answer says, in `unit` where that is known; None if it says none, or in no such unit.
+    """Return the only number in an answer, in `unit` if given; None if there is none, or in another unit.
 
-    `expected` decides how a direction without a sign is read.
+    `expected`, a reference value, determines the sign of a direction without one.
     """
     found = number(in_box(content), expected, unit)
     return (
@@ -141,7 +138,7 @@ def read(content: str, unit: str | Unit | None = None, *, expected: float = 1.0)
 def agrees(right: str, said: str, tolerance: float) -> bool | None:
     """Return whether two answers give the same number, within a tolerance relative to the right answer.
 
-    None where the right answer is no number. Its unit holds for both; without a unit, the other's unit is ignored.
+    None if the correct answer is not a number. Its unit applies to both; without a unit, the other's is ignored.
     """
     stated = unit_stated(right)
     unit = stated if stated is not None and any(stated.dimension) else None
@@ -152,7 +149,7 @@ def agrees(right: str, said: str, tolerance: float) -> bool | None:
 
 
 def unit_or_none(text: object) -> str | None:
-    """Return the name of a unit of our table; None for one that it does not hold, and where none is said."""
+    """Return the name of a unit of the library's table; None for an unknown or missing unit."""
     if not isinstance(text, str) or not text.strip(" $"):
         return None
     try:
@@ -161,7 +158,7 @@ def unit_or_none(text: object) -> str | None:
         return None
 
 
-EQUAL = 1e-6  # relative, at each point that is tried
+EQUAL = 1e-6  # relative tolerance at each test point
 _UPRIGHT: Final = re.compile(r"\\(?:text|textrm|textbf|mathrm|mbox)\{([^{}]*)\}")
 _NAME: Final = re.compile(
     r"(?:[A-Za-z]|\\[A-Za-z]+)(?:\s*_(?:[A-Za-z0-9]|\{[^{}=]*(?:\{[^{}=]*\})?\}))?(?:\s*\([^()=]*\))?"
@@ -182,18 +179,18 @@ def _squeezed(text: str) -> str:
 
 
 def name_of(text: str) -> str:
-    """Return what an answer calls its value, as in *v = …*; empty for a value alone and for an equation."""
+    """Return the name of the value in an answer, as in *v = …*; empty for a value alone and for an equation."""
     left, equals, _ = text.replace("$", "").partition("=")
     return left.replace("{", "").replace("}", "") if equals and _NAME.fullmatch(left.strip()) else ""
 
 
 def is_equation(text: str) -> bool:
-    """Return whether an answer relates its symbols, and does not merely name a value."""
+    """Return whether an answer is an equation between symbols, not only a named value."""
     return "=" in text and not name_of(text)
 
 
 def equal_expressions(right: str, said: str) -> bool | None:
-    """Whether `said` has the value of `right` wherever their symbols are set; None if one of them can't be read."""
+    """Return whether two expressions have equal values at all test points; None if one does not parse."""
     if same_text(right, said):
         return True
     try:
@@ -206,7 +203,7 @@ def equal_expressions(right: str, said: str) -> bool | None:
 
 
 def equivalent_equations(right: str, said: str) -> bool | None:
-    """Whether two equations say the same: the differences of their sides have one ratio; None if one can't be read."""
+    """Return whether the side differences of two equations have a constant ratio; None if one does not parse."""
     if same_text(right, said):
         return True
     held = _difference(right, None)
@@ -225,7 +222,7 @@ def equivalent_equations(right: str, said: str) -> bool | None:
 
 @lru_cache(maxsize=1024)
 def _difference(equation: str, symbols: frozenset[str] | None) -> tuple[Node, frozenset[str]] | None:
-    """Return the left side less the right one, and the symbols in them; None for what is no single equation."""
+    """Return the left side minus the right one, with the symbols in them; None unless it is one equation."""
     left, equals, right = equation.replace("&", "").replace("$", "").partition("=")
     if not equals or "=" in right:
         return None

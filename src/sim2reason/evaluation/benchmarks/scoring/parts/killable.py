@@ -1,4 +1,4 @@
-"""A process for calls that may hang or crash: it is killed after a while, and another one takes its place."""
+"""Calls in a separate process that is killed on a timeout and restarted after a crash."""
 
 from collections.abc import Callable
 from multiprocessing.connection import Connection
@@ -11,21 +11,21 @@ from sim2reason.datasets.processes import ALONE
 __all__ = ["Killable"]
 
 R = TypeVar("R")
-STARTING = 120.0  # s: imports may take so long on a busy machine, and are not counted
+STARTING = 120.0  # s, longest start of the process, in addition to the timeout of a call
 
 
 class Killable(Generic[R]):
-    """`function`, importable and of texts, in a process of its own, with at most `patience` seconds for a call."""
+    """A function on texts, run in a separate process with at most `patience` seconds per call."""
 
     def __init__(self, function: Callable[..., R], patience: float) -> None:
-        """Start nothing yet."""
+        """Store the function; the process starts with the first call."""
         self._function, self._patience = function, patience
         self._process: BaseProcess | None = None
         self._pipe: Connection[tuple[str, ...], R | None] | None = None
         self._lock = Lock()
 
     def __call__(self, *texts: str) -> R | None:
-        """Return what the function gives; None if it raised, took too long or crashed."""
+        """Return the function's result; None if it raised, timed out or crashed."""
         with self._lock:
             pipe = self._started()
             if pipe is None:

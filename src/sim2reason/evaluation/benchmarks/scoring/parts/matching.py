@@ -1,4 +1,4 @@
-"""Answers in any order: whether each of several right ones has a said one of its own."""
+"""Matching of several correct answers with several given ones, in any order."""
 
 from collections.abc import Callable, Sequence
 from typing import TypeVar
@@ -9,7 +9,7 @@ T = TypeVar("T")
 
 
 def paired(right: Sequence[T], said: Sequence[str], fits: Callable[[T, str], bool]) -> bool:
-    """Return whether all of `right` can be paired with all of `said`, each with one that fits (Kuhn's algorithm)."""
+    """Return whether `right` and `said` can be matched one to one by `fits` (Kuhn's algorithm)."""
     if len(right) != len(said):
         return False
     good = [[place for place, answer in enumerate(said) if fits(each, answer)] for each in right]

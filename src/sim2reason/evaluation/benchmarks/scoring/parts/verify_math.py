@@ -1,4 +1,4 @@
-"""The call of math-verify, in a module of its own that a process imports."""
+"""The call of math-verify, in a separate module for a worker process."""
 
 import logging
 from importlib import import_module
@@ -8,7 +8,7 @@ __all__ = ["verified"]
 
 
 def verified(answer: str, said: str) -> tuple[bool, bool, str]:
-    """Return whether `said` could be read, whether it equals `answer`, and what was read; both hold a box."""
+    """Return whether `said` parses, whether it equals `answer`, and its parsed form; both contain a box."""
     library: Any = import_module("math_verify")
     logging.getLogger("math_verify").setLevel(logging.ERROR)  # it warns of the missing limits at each call
     limit = {"parsing_timeout": None}  # its own limits use signals; this process is killed instead

@@ -1,4 +1,4 @@
-"""Kinds of scene read in the words of textbooks: patterns of those words, and a writer of the library's text."""
+"""Kinds of scenes in textbook language: patterns of their words, and a function that writes the library's text."""
 
 import re
 from collections.abc import Callable, Mapping
@@ -11,7 +11,7 @@ from sim2reason.text.parsing.ordinary.amounts import Amount, shown
 
 @dataclass
 class Facts:
-    """The facts that patterns found in a text, by name, and a record of those asked for and those missing."""
+    """The facts that patterns found in a text, by name, with records of the facts requested and missing."""
 
     given: Mapping[str, str | Amount]
     words: str = ""
@@ -28,7 +28,7 @@ class Facts:
         return list(dict.fromkeys(compiled(rf"(?P<noun>{pattern})s?").findall(self.words)))
 
     def amount(self, name: str, called: str) -> Amount | None:
-        """Return a required number; if it is missing, record that as `called`, unless empty, and return None."""
+        """Return a required number; if it is missing, record it under the name `called` and return None."""
         self.asked.add(name)
         found = self.given.get(name)
         if isinstance(found, Amount):
@@ -54,7 +54,7 @@ class Facts:
         return found.text if isinstance(found, Amount) else f"${symbol}$"
 
     def one_of(self, called: str, *names: str) -> str:
-        """Return which of several exclusive facts the text states; record `called` as missing unless it is one."""
+        """Return which of several exclusive facts the text states; record `called` as missing unless exactly one is."""
         said = [name for name in names if self.has(name)]
         if len(said) != 1:
             self.missing.append(called if not said else f"{called} unambiguously")
@@ -72,7 +72,7 @@ class Facts:
 
     @property
     def whole(self) -> bool:
-        """Return whether every fact of the text was asked for."""
+        """Return whether every fact of the text was requested."""
         return self.asked.issuperset(self.given)
 
 
@@ -101,7 +101,7 @@ class TextbookScene:
     never: str = ""
 
     def __post_init__(self) -> None:
-        """Compile all patterns, so that an invalid one is reported where it is declared."""
+        """Compile all patterns, so that an invalid pattern fails where it is declared."""
         for pattern in (*self.opening, *self.phrases, self.bodies, self.place, self.never):
             compiled(pattern)
 
@@ -113,7 +113,7 @@ def compiled(pattern: str) -> re.Pattern[str]:
 
 
 def mass_of(nouns: str) -> tuple[str, ...]:
-    """Return patterns for the mass of the body that one of `nouns`, joined by bars, names."""
+    """Return patterns for the mass of a body; `nouns` are its alternative nouns, joined by bars."""
     others = "|".join(noun for noun in nouns.split("|") if noun != "mass")
     return (
         r"a (?P<keep>mass) of <mass:mass>(?= (?:is|hangs|lies|rests|on|slides))",

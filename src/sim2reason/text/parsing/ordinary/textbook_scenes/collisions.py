@@ -6,7 +6,7 @@ from itertools import product
 from sim2reason.text.parsing.ordinary.amounts import MINUS, shown
 from sim2reason.text.parsing.ordinary.textbook_scenes import TEXTBOOK_SCENES, Facts, TextbookScene, mass_of
 
-STRONG = 1e4  # times the weight of a particle that the magnetic force on it is, where gravity needs no word
+STRONG = 1e4  # ratio of magnetic force to weight above which a text need not mention gravity
 
 
 def _charge(facts: Facts) -> str:
@@ -56,7 +56,7 @@ TEXTBOOK_SCENES.add(
 
 
 NOUN = r"(?:cart|trolley|glider|puck|block|ball|sphere)"
-NOUNS = frozenset({"cart", "block", "puck", "ball", "sphere"})  # which the library has for such bodies
+NOUNS = frozenset({"cart", "block", "puck", "ball", "sphere"})  # nouns of the library for such bodies
 HITS = r"(?:(?:and|then) )?(?:hits|strikes|collides with|collides head-on with|runs into|bumps into|elastically with)"
 MOVING = (
     r"(?:(?:that|which) )?(?:is )?(?:initially )?(?:moving|moves|travelling|traveling|travels|rolling|sliding|slides)"

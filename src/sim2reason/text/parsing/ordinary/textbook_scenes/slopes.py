@@ -24,12 +24,12 @@ BETWEEN = rf" between (?:the |it )?(?:(?:{BLOCK}) )?and (?:the )?(?:{SLOPE}|{FLO
 
 
 def friction(where: str) -> tuple[str, ...]:
-    """Return the patterns of coefficients of friction, with and without the two bodies between which it acts."""
+    """Return the patterns for coefficients of friction, with and without the names of the two bodies."""
     return tuple(each.replace("@", f"(?:{where})?") for each in FRICTION)
 
 
 def surface(facts: Facts, *, static_matters: bool) -> tuple[str, str]:
-    """Return the library's word for a surface, and the sentence on its friction."""
+    """Return the adjective of a surface (*smooth* or *rough*), and the sentence that states its friction."""
     if facts.has("smooth"):
         facts.one_of("the friction", "smooth", "mu", "kinetic", "static", "rough")
         return "smooth", ""

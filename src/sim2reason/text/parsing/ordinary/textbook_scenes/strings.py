@@ -161,7 +161,7 @@ def _incline(facts: Facts) -> str:
 
 
 def _on(place: str, more: str) -> tuple[str, ...]:
-    """Return the phrases on a block that lies on a place of some name."""
+    """Return the patterns for a block that lies on a surface named by the regular expression `place`."""
     between = rf" between (?:the |it )?(?:(?:block|mass|box|crate) )?and (?:the )?{place}"
     adjectives = r"(?: and)?(?: (?:horizontal|level|fixed|flat|#angle\d{1,3}#)){0,2}"
     return (
