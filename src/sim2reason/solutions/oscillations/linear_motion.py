@@ -1,7 +1,7 @@
 """Linear equations of motion with constant coefficients, M ẍ + K x = Q, in the symbols of the text.
 
-x are the displacements of the *free* coordinates; strings and rolling contacts tie the other coordinates to these at fixed
-ratios. By Lagrange's equations every term follows from the ratios and Newton's laws, in which tensions then cancel.
+x are the displacements of the *free* coordinates; strings and rolling contacts tie the other coordinates to these at
+fixed ratios. By Lagrange's equations every term follows from the ratios and Newton's laws; tensions cancel.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -95,7 +95,7 @@ class LinearMotion:
         return found + [self.laws.rolling(face) for face, side in self.laws.rough.items() if side == 0]
 
     def _matrix(self) -> Array:
-        """Return the rows in numbers; UnsolvedError where a ratio hangs on what the text says."""
+        """Return the constraint matrix, (rows, coordinates); UnsolvedError unless its entries are plain numbers."""
         size = len(self.mechanism.coordinates)
         found = np.zeros((len(self.rows), size))
         for number, row in enumerate(self.rows):

@@ -51,7 +51,7 @@ def is_slow_at_greatest(setting: Setting, body: str) -> bool:
 
 HALF = Number(0.5)
 PLAIN = 1e-9  # tolerance of a ratio of 1
-LINEAR = frozenset({"tension", "acceleration", "net force", "spring force"})  # quantities that are linear in a place
+LINEAR = frozenset({"tension", "acceleration", "net force", "spring force"})  # linear in the position
 
 
 def extension(motion: LinearMotion | RelativeMotion, number: int, place: Expression) -> Expression:

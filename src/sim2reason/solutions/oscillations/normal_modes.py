@@ -65,7 +65,7 @@ def _tell_other_root(held: ModeLaws, mode: Mode, query: PeriodQuery) -> None:
 FAINT = 1e-10  # relative to the largest part: below it the start does not excite a mode
 ACCELERATED = 2  # order of the time derivative that is an acceleration
 Form = tuple[Array, int]
-"""A linear combination of displacements: the weight of each free coordinate, (n,), and the order of a time derivative."""
+"""A linear combination of displacements: a weight per free coordinate, (n,), and the order of a time derivative."""
 
 RESTS = (
     "The total momentum is zero, and no external force changes it, so the centre of mass stays at rest and this mode "

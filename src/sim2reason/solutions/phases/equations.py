@@ -19,7 +19,7 @@ from sim2reason.solutions.writing.lexicon import Both
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 
 STILL = 1e-12  # relative to the largest acceleration: below it an acceleration counts as zero
-LETTERS = {"foot": "N", "hold": "f", "stuck": "F", "prop": "N"}  # for the forces of rows; all others are tensions
+LETTERS = {"foot": "N", "hold": "f", "stuck": "F", "prop": "N"}  # for constraint forces; others are tensions
 
 
 class PhaseEquations:

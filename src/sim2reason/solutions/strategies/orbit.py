@@ -44,11 +44,11 @@ class Orbit(Strategy):
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "period", "sum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
+        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         return "" if _by_itself(mechanism) else "no light body goes round a fixed one by itself"
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if isinstance(query, PeriodQuery):
             return "" if query.measure == "period" and not query.small else "no orbital period is asked for"
@@ -87,7 +87,7 @@ class _OnOrbit(Way):
         self._places: dict[str, OrbitPlace] = {}
 
     def write(self) -> Symbol:
-        """Write the answer to the query, and return its symbol."""
+        """Write the answer to the query and return its symbol."""
         query, target = self.query, self.target
         if isinstance(query, PeriodQuery):
             return self.orbit(query.of[0]).period

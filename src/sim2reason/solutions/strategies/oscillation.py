@@ -47,11 +47,11 @@ class Oscillation(Strategy):
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "period", "sum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
+        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         return not_driven_back(mechanism) or ("there are several modes" if fewest_free(mechanism) > PAIR else "")
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if isinstance(query, StretchQuery) and query.kind == "sum" and query.functional not in SUMS:
             return f"no way to the {query.functional}"
@@ -97,7 +97,7 @@ class Oscillating(SingleWay):
         return Harmonic(self.book, motion, name, self.first(i))
 
     def write(self) -> Symbol:
-        """Write the answer to the query, and return its symbol."""
+        """Write the answer to the query and return its symbol."""
         query, held = self.query, self.harmonic
         _ = held.numbers
         self.stops_alone()

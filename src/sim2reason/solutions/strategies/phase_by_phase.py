@@ -25,7 +25,7 @@ class PhaseByPhase(Strategy):
         return frozenset()
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         if setting.formula is not None or setting.unknown:
             return "equations of phases lead to numbers, and to no unknown"
         return "" if setting.answer is not None else "there is no answer"

@@ -54,7 +54,7 @@ class PlaneSprings(Strategy):
         return frozenset()
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         query, target = setting.query, setting.target
         if isinstance(query, PeriodQuery):
             return "" if query.small and query.modes == PLANE else "no way to motions that are not small"

@@ -34,7 +34,7 @@ class RocketFlight(Strategy):
     kinds = Strategy.kinds | {"extremum"}
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
+        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         moving = [body for body in mechanism.bodies if body.coordinates]
         alone = len(mechanism.burns) == len(moving) == len(mechanism.coordinates) == 1
         return "" if alone else "there is no lone rocket"
@@ -44,7 +44,7 @@ class RocketFlight(Strategy):
         return frozenset[str]() if mechanism.attractions else self.kinds
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         m = setting.mechanism
         if isinstance(setting.query, StretchQuery):
             found = m.attractions or not any(m.gravity) or not _tops(setting)

@@ -53,7 +53,7 @@ class Rocking(Strategy):
         return ""
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if isinstance(query, PeriodQuery):
             return "" if query.small else "only integration gives the period of large swings"
@@ -70,7 +70,7 @@ class _Rocking:
     """A body that rocks, written as it is needed; x points to the right, z up, and it rolls clockwise to the right."""
 
     def __init__(self, setting: Setting, book: Book) -> None:
-        """UnreadError where a number is no simple function of those in the text."""
+        """Read the parameters; raise UnreadError if one is not a simple function of the numbers in the text."""
         self.setting, self.book = setting, book
         self.body = setting.mechanism.bodies[0].name
         self.mass = self._read(lambda m: m.bodies[0].mass)

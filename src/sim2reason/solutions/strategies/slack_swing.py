@@ -50,7 +50,7 @@ class SlackSwing(Strategy):
         return "" if found is not None and found[1] is not None else "no small body swings on a string"
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         quantity, query = quantity_of(setting), setting.query
         if quantity and quantity not in _Slack.WAYS:
             return f"no way to the {quantity}"

@@ -40,12 +40,12 @@ class SpringLine(Strategy):
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "period"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
+        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         rest = not any(coordinate.speed for coordinate in mechanism.coordinates)
         return "" if rest and lone_spring(mechanism) else "no lone body is let go on a single spring"
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if _reaches_its_end(setting):
             return "it passes through the fixed end of the spring"
@@ -131,7 +131,7 @@ class _Oscillating(LoneSpring):
     # ---- what is asked
 
     def write(self) -> Symbol:
-        """Write the answer to the query, and return its symbol."""
+        """Write the answer to the query and return its symbol."""
         query = self.setting.query
         if isinstance(query, PeriodQuery):
             return self._period(query)

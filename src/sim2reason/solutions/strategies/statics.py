@@ -29,11 +29,11 @@ class Statics(Strategy):
     kinds = frozenset({"equilibrium", "start"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
+        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         return nonlinear(mechanism)
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         target = setting.target
         if target is None or target.quantity not in GOALS:
             return f"no way to the quantity {target.quantity if target is not None else ''}"

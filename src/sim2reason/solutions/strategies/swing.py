@@ -30,7 +30,7 @@ class Swing(Strategy):
         return "it is no small body that swings about a fixed point" if pivot(mechanism) is None else ""
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         if unknown := unasked(setting, _Angular.WAYS):
             return unknown
         return "it leaves its circle" if setting.story & {"slack", "taut"} else ""

@@ -42,13 +42,13 @@ class Tumbling(Strategy):
     kinds = Strategy.kinds | {"sum"}
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
+        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         kinds = sorted(c.kind for c in mechanism.coordinates)
         alone = len(mechanism.bodies) == 1 and kinds == ["hinge", "slide", "slide"]
         return "" if alone and mechanism.feet else "no lone prism tumbles"
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         query, quantity = setting.query, quantity_of(setting)
         if quantity and quantity not in _Tumbling.WAYS:
             return f"no way to the {quantity}"
@@ -65,7 +65,7 @@ class _Tumbling:
     """A prism that tumbles; angles are those of the line from the edge to the axis, from the upward vertical."""
 
     def __init__(self, setting: Setting, book: Book) -> None:
-        """UnreadError where a number is no simple function of those in the text."""
+        """Read the parameters; raise UnreadError if one is not a simple function of the numbers in the text."""
         self.setting, self.book = setting, book
         body, read = setting.mechanism.bodies[0].name, setting.lexicon.of
         radius, sides = setting.given(f"{body}.radius"), getattr(setting.scene.bodies.get(body), "sides", 0)

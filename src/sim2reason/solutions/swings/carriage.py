@@ -79,7 +79,7 @@ class Carriage:
     """Its masses and forces in the symbols of the text; forward is the side on which the arm begins."""
 
     def __init__(self, setting: Setting, book: Book) -> None:
-        """UnreadError where a number is no simple function of those in the text."""
+        """Read the parameters; raise UnreadError if one is not a simple function of the numbers in the text."""
         found = riding(setting.mechanism)
         assert found is not None, "who asks has seen that something swings on it"
         self.setting, self.riding = setting, found

@@ -24,7 +24,7 @@ class CarriageAngle(SwingAngle):
     """The angle of the arm, positive forward, on the side on which it begins, written as it is needed."""
 
     def __init__(self, setting: Setting, book: Book) -> None:
-        """UnreadError where a number is no simple function of those in the text."""
+        """Read the parameters; raise UnreadError if one is not a simple function of the numbers in the text."""
         super().__init__(setting, book)
         self.carriage = Carriage(setting, book)
         self.arm = self.carriage.arm
