@@ -102,7 +102,7 @@ def different_laws(*found: Solution) -> int:
 def number_of_laws(found: Solution) -> int:
     """Return the number of laws of physics in a solution.
 
-    Definitions do not count: a multiple or a sum of names, as v = -v_x, T = 2π/ω or e = ℓ - ℓ_0, a number, as a = 0 in a
+    Definitions do not count: a multiple or sum of names, as v = -v_x, T = 2π/ω or e = ℓ - ℓ_0, a number, as a = 0 in a
     limiting case, or the magnitude of a vector.
     """
     return sum(1 for _ in _laws(found))

@@ -16,8 +16,8 @@ OPPOSITE = f"{ONLY} with the opposite sign, for which {{}} would be {{}}"
 def tell_sign(roots: OtherRoots, step: Writing, chain: Chain | None, found: Sequence[tuple[str, Expression]]) -> None:
     """Write why the goal has its sign, from its chain of formulas `found` or from other values of the unknown.
 
-    The `chain` leads from the unknown to the goal, and is None where the sign is known. If one of its formulas is a root
-    that was found numerically, no other values are searched for.
+    The `chain` leads from the unknown to the goal, and is None where the sign is known. If one of its formulas is a
+    root that was found numerically, no other values are searched for.
     """
     if chain is None:
         return

@@ -46,7 +46,7 @@ class Setting:
     def of(cls, question: Question, study: Study, words: Words, description: Description) -> Self:
         """Return the setting of a question with an answer; the unknown has its symbol in the text.
 
-        A text in symbols has no symbol for a number that it does not state, such as a strain of zero; a question may have.
+        A text in symbols has no symbol for a number that it does not state, such as a strain of zero.
         """
         symbols = {**description.voiced(numeric).symbols, **description.symbols}
         if question.formula is not None:

@@ -27,8 +27,8 @@ def shortest(
 ) -> Solution:
     """Return the solution of a query, or of the question for the `unknown` with the `stated` result; cached.
 
-    The mathematics of a solution may not exceed `most`. `unknown` is the address of a parameter of the scene. The data of
-    the solution are only recomputed by `shortest_checked`, since filters reject most questions before.
+    The mathematics of a solution may not exceed `most`. `unknown` is the address of a parameter of the scene. The data
+    of the solution are only recomputed by `shortest_checked`, since filters reject most questions before.
     """
     setting = _setting(query, study, words, unknown, stated, most)
     found = study.once(_key(query, unknown, stated, setting.most), lambda: solve(setting, checked=False))

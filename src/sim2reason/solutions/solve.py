@@ -37,9 +37,9 @@ from sim2reason.text.prose.writer import Writer
 def solve(setting: Setting, *, derived: bool = False, checked: bool = True) -> Solution:
     """Return the worked solution that needs the simplest mathematics; without an answer it has a reason.
 
-    The first by cost with elementary needs is taken, if there is one. A solution is accepted if its answer is recomputed
-    from its own data. With `derived`, only strategies that lead to formulas are tried; their solutions are not shown but
-    compared with simulated motions. Without `checked`, nothing is recomputed.
+    The first by cost with elementary needs is taken, if there is one. A solution is accepted if its answer can be
+    recomputed from its data. With `derived`, only strategies that lead to formulas are tried; their solutions are
+    compared with simulated motions instead of shown. Without `checked`, nothing is recomputed.
     """
     reasons: list[str] = []
     best: Solution | None = None
@@ -71,8 +71,8 @@ def solve(setting: Setting, *, derived: bool = False, checked: bool = True) -> S
 def _kept(strategy: Strategy, setting: Setting, *, derived: bool) -> Solution:
     """Return the solution by one strategy, as `by` does, from the cache if possible.
 
-    The solution of a derivation is cached with the motion, and reused by the search for the shortest solution of the same
-    query unless its mathematics is too advanced. A solution to be shown is always written anew, in its own names.
+    The solution of a derivation is cached with the motion, and reused by the search for the shortest solution of the
+    same query unless its mathematics is too advanced. A solution to be shown is always written anew, in its own names.
     """
     key, study = ("derived by", strategy.name, setting.query), setting.study
     if derived:

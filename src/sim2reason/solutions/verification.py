@@ -16,8 +16,8 @@ WHY = "recomputed from what it states, it does not lead to the answer"
 def verified(solution: Solution, setting: Setting, earlier: Mapping[str, float] | None = None) -> Solution:
     """Return a solution if its answer is recomputed from its data, else a solution without one and the reason.
 
-    The recomputed answer must be the engine's, and the given numbers must be those of the text and the question, or results
-    of `earlier` parts by name.
+    The recomputed answer must be the engine's, and the given numbers must be those of the text and the question, or
+    results of `earlier` parts by name.
     """
     if solution.answer is None:
         return solution

@@ -225,8 +225,8 @@ UNCLEAR = "the names of its parts are not clear"
 def in_sequence(settings: Sequence[Setting], solutions: Sequence[Solution], *, whole: bool = False) -> list[Solution]:
     """Return a solution of each part that uses earlier answers; `solutions` are those of the separate parts.
 
-    With `whole`, a solution also uses the intermediate results of earlier solutions. Names mean the same in all parts; if
-    that is impossible, no part has an answer.
+    With `whole`, a solution also uses the intermediate results of earlier solutions. Names mean the same in all parts;
+    if that is impossible, no part has an answer.
     """
     fixed = {given.symbol for setting in settings for given in setting.lexicon.givens.values()}
     found, earlier = list[Solution](), list[tuple[str, Solution]]()

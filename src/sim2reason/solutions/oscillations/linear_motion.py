@@ -111,7 +111,7 @@ class LinearMotion:
         size, matrix = len(self.mechanism.coordinates), self._matrix()
         order = [*dict.fromkeys(self._wanted), *(k for k in range(size) if k not in self._wanted)]
         pivots: dict[int, int] = {}
-        for k in reversed(order):  # what is least wanted hangs on the others
+        for k in reversed(order):  # the least wanted coordinates depend on the others
             left = [n for n in range(len(matrix)) if n not in pivots.values() and abs(matrix[n, k]) > STILL]
             if not left:
                 continue
