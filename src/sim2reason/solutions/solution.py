@@ -25,9 +25,9 @@ SAME = 1e-6  # relative tolerance of the answer of a solution to the engine's
 class Relation:
     """An equation or comparison of two formulas, with its role in the solution.
 
-    A `given`, `law` or `derived` equation, or a `result`: name = formula. An assumption is `verified` by a number on
-    which nothing depends, or by a comparison: the left side `exceeds` the right one. An unknown found by `trial` has the
-    value with which the `condition`, a result that the question gives, holds at the end.
+    A `given`, `law` or `derived` equation, or a `result`: name = formula. An assumption is `verified` by a number
+    on which nothing depends, or by a comparison: the left side `exceeds` the right one. An unknown found by `trial` has
+    the value with which the `condition`, a result that the question gives, holds at the end.
 
     `unit` is the unit of a result, in LaTeX.
     """

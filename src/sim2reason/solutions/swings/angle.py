@@ -43,9 +43,9 @@ Way = tuple[str, str]  # the method that gives a formula, and the words before i
 class SwingAngle(ABC):
     """A swing's angle from the downward vertical, positive on its initial side, written as needed.
 
-    Subclasses set `first`, the angle at the start, `began`, its value, `now` and `turning`, the angle at the moment and its
-    rate, `turned`, the angle turned through, and `way`, the initial sign of the rate. Values only determine signs.
-    `WAYS` maps each quantity to its formula and words.
+    Subclasses set `first`, the angle at the start, `began`, its value, `now` and `turning`, the angle at the moment
+    and its rate, `turned`, the angle turned through, and `way`, the initial sign of the rate. Values only determine
+    signs. `WAYS` maps each quantity to its formula and words.
     """
 
     first: Expression

@@ -131,8 +131,8 @@ def where_extreme(
 ) -> str:
     """Return the sentence that gives the position of an extreme value, with the reason.
 
-    A body that `loops` never turns back. Otherwise a later comparison shows at which end the acceleration is greatest; in
-    symbols, both ends are possible, and with `free` one is assumed.
+    A body that `loops` never turns back. Otherwise a later comparison shows at which end the acceleration is greatest;
+    in symbols, both ends are possible, and with `free` one is assumed.
     """
     if quantity in FORCES:
         along = f"the component of the weight along the {FORCES[quantity]}, away from the fixed point,"

@@ -49,8 +49,8 @@ def angle_words(half: Expression, angle: Expression) -> str:
 def velocities_words(turned: Expression, *, highest: bool, landed: bool) -> str:
     """Return the sentences that give the angle between the initial and final velocities of the axis.
 
-    `turned` is the final angle turned, since the last landing if the prism has `landed`; `highest` states that the axis is
-    then at the top, before any landing.
+    `turned` is the final angle turned, since the last landing if the prism has `landed`; `highest` states that the axis
+    is then at the top, before any landing.
     """
     angle = f"${turned.latex()}$"
     how = f"Since the start it has turned by {angle}"

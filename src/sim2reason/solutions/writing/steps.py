@@ -33,7 +33,7 @@ class Book(FreshNames):
     ) -> None:
         """Make an empty builder with results in `units`; with `asks_time` a time of the question is the unknown.
 
-        With `called`, the solution is in symbols: no number is written, and given numbers have the names that it maps to.
+        With `called`, the solution is in symbols: no number is written, and given numbers have names from that mapping.
         The mathematics of a result may not exceed `most`.
         """
         super().__init__(called)
