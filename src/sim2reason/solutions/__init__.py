@@ -1,8 +1,8 @@
-"""Worked solutions: in steps, as a teacher would write them, each equation checked.
+"""Worked solutions, written step by step, with each equation checked.
 
-A `Setting` is a scene in the words of its text with a query about it; `solve` finds the cheapest strategy that leads
-to the answer. Symbols come from the scene alone, see `writing.lexicon`; what holds of every solution,
-`testing.solutions.faults` says.
+A `Setting` is a scene with the names of its text and a query about it; `solve` finds the cheapest strategy that leads
+to the answer. Symbols come from the scene alone, see `writing.lexicon`; the properties that every solution must have
+are checked by `testing.solutions.faults`.
 """
 
 from sim2reason.solutions.setting import Setting

@@ -1,4 +1,4 @@
-"""A worked solution as JSON values, from which its answer can be recomputed, and which can be kept in files."""
+"""Conversion of a worked solution to JSON values, from which its answer can be recomputed."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -11,7 +11,7 @@ Data = dict[str, Any]
 
 
 def as_data(solution: Solution) -> Data:
-    """Write a solution with an answer as JSON values.
+    """Return a solution that has an answer as JSON values.
 
     `givens` are numbers by symbol; each step has its relations, whose sides are prefix trees as in
     `sim2reason.solutions.checking`, the `results` whose numbers its text states, by symbol in SI units, and the
@@ -38,7 +38,7 @@ def as_data(solution: Solution) -> Data:
 
 
 def _results(step: Step, values: Mapping[str, float]) -> dict[str, float]:
-    """Return the values of the symbols whose numbers a step states in its text."""
+    """Return the values, in SI units by symbol, of the results whose numbers the text of a step contains."""
     units = {r.left.name: r.unit for r in step.relations if isinstance(r.left, Symbol)}
     found = {name: values[name] for name in step.gives if name in units and name in values}
     return {name: value for name, value in found.items() if f"= {with_unit(value, units[name])}" in step.text}

@@ -1,4 +1,4 @@
-"""The derivation of the answer to a query, whatever of it a text asks for."""
+"""The derivation of the formula that answers a query, cached per simulated scene."""
 
 from dataclasses import replace
 
@@ -14,16 +14,16 @@ DERIVATION = "derivation"
 
 
 def derivation(query: Query, study: Study, words: Words) -> Solution:
-    """The cheapest worked solution that leads to formulas, worked out when it is first needed; it may have no answer.
+    """Return the cheapest worked solution in closed form for a query, computed once; it may have no answer.
 
-    The query is answered even where the text gives its answer and asks for a number; of *when is the speed 2.1 m/s?* it
-    is the speed at that time.
+    The query itself is answered even where the text states its answer and asks for a parameter. For *when is the speed
+    2.1 m/s?* the derivation gives the speed at that time.
     """
     return study.once((DERIVATION, query), lambda: _derived(query, study, words))
 
 
 def is_derived(query: Query, study: Study) -> bool:
-    """Return whether that derivation was worked out before, so that looking at it costs little."""
+    """Return whether the derivation of a query is cached already."""
     return study.knows((DERIVATION, query)) or shortest_known(query, study) is not None
 
 

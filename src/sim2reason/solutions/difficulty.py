@@ -1,7 +1,7 @@
-"""How difficult a problem is, measured by its worked solution.
+"""The difficulty of a problem, measured from its worked solution.
 
-The score adds up what makes a problem hard for a solver: how many laws have to be chosen, how many phases a motion has,
-how many unknowns have to be found together, and what mathematics it takes to finish. `docs/difficulty.md` explains it.
+The score counts the laws that have to be chosen, the phases of the motion and the unknowns that have to be found
+together, and adds the level of mathematics that the solution needs. `docs/difficulty.md` explains it.
 """
 
 import re
@@ -18,14 +18,14 @@ from sim2reason.solutions.closed_forms.gathering import symbols_in
 from sim2reason.solutions.solution import Relation, Solution
 
 SQUARE = 2
-PHASE = 2  # points of the score for each further phase: its beginning has to be found, and its laws chosen anew
-REPEATED = 4  # phases, after which more of them only repeat what was done
+PHASE = 2  # points of the score for each phase after the first: its start and its laws have to be found
+REPEATED = 4  # largest number of phases that the score counts; later ones mostly repeat earlier ones
 _SUBSCRIPT = re.compile(r"_(?:\{(?:[^{}]|\{[^{}]*\})*\}|\\?[A-Za-z0-9])|'+")
 
 
 @dataclass(frozen=True, slots=True)
 class Band:
-    """The scores that problems of a label may have, both ends included, and what that means in words."""
+    """The range of difficulty scores of one difficulty label, both ends included, with a description."""
 
     least: float
     most: float
@@ -33,13 +33,13 @@ class Band:
 
     @property
     def told(self) -> str:
-        """The scores in words."""
+        """Return the range of scores in words, such as *3 to 14*."""
         if not isfinite(self.least):
             return f"at most {self.most:g}"
         return f"{self.least:g} to {self.most:g}" if isfinite(self.most) else f"at least {self.least:g}"
 
     def __contains__(self, score: int) -> bool:
-        """Return whether a problem of this score may have the label."""
+        """Return whether a difficulty score lies in the range of the label."""
         return self.least <= score <= self.most
 
 
@@ -48,18 +48,18 @@ LABELS: Mapping[Difficulty, Band] = {
     "medium": Band(3, 14, "several laws that have to be put together, or two phases of a motion"),
     "hard": Band(5, inf, "many laws, several bodies whose equations are solved together, or several phases"),
 }
-"""What the labels of difficulty mean. Neighbours overlap: the label is ordered, the score is measured."""
+"""Score ranges of the difficulty labels. Neighbouring ranges overlap: the label is requested, the score is measured."""
 
 
 @dataclass(frozen=True, slots=True)
 class SolutionDifficulty:
-    """What a worked solution takes.
+    """The measured difficulty of a worked solution.
 
     Attributes:
-        laws: how many different laws of physics it uses; one that holds for several bodies, or again, counts once.
-        phases: of the motion, each between two events.
-        unknowns: the most that have to be found together, from equations none of which holds one alone.
-        needs: what mathematics it takes.
+        laws: number of different laws of physics; a law that is used for several bodies, or again, counts once.
+        phases: number of phases of the motion, each between two events.
+        unknowns: largest number of unknowns that coupled equations determine together.
+        needs: most advanced mathematics of any step.
     """
 
     laws: int
@@ -69,15 +69,15 @@ class SolutionDifficulty:
 
     @property
     def score(self) -> int:
-        """A point for each law, each unknown beside the first and each step of need, and two for a further phase."""
+        """Return the score: laws + 2 per further phase + unknowns after the first + level of mathematics."""
         further = min(self.phases, REPEATED) - 1
         return self.laws + PHASE * further + (self.unknowns - 1) + int(self.needs)
 
 
 def measured(*parts: tuple[Solution, int]) -> SolutionDifficulty:
-    """Return what the solution of a problem takes, or those of all its parts, which count each law once.
+    """Return the difficulty of a solution, or of the solutions of all parts, which count each law once.
 
-    With each solution comes the number of events in the motion before what is asked about.
+    Each solution is paired with the number of events before the moment of its question.
     """
     solutions = [solution for solution, _ in parts]
     return SolutionDifficulty(
@@ -89,21 +89,21 @@ def measured(*parts: tuple[Solution, int]) -> SolutionDifficulty:
 
 
 def number_of_events(trace: Trace, time: float | None) -> int:
-    """Return how many times before a time, s, something changes what acts; before the end of the motion without one."""
+    """Return the number of event times before a time, s; by default before the end of the reliable motion."""
     until = trace.stable_until if time is None else time
     return len({event.time for event in happened(trace.events, until)})
 
 
 def different_laws(*found: Solution) -> int:
-    """Return how many laws solutions tell that differ by more than subscripts."""
+    """Return the number of laws in some solutions that differ by more than subscripts."""
     return len({_SUBSCRIPT.sub("", law.latex()) for solution in found for law in _laws(solution)})
 
 
 def number_of_laws(found: Solution) -> int:
-    """Return how many laws of physics a solution tells.
+    """Return the number of laws of physics in a solution.
 
-    A multiple or a sum of names, as v = -v_x, T = 2π/ω or e = ℓ - ℓ_0, is none, nor is a number, as a = 0 in a limiting
-    case, or the size of a vector.
+    Definitions do not count: a multiple or sum of names, as v = -v_x, T = 2π/ω or e = ℓ - ℓ_0, a number, as a = 0 in a
+    limiting case, or the magnitude of a vector.
     """
     return sum(1 for _ in _laws(found))
 
@@ -113,7 +113,7 @@ def _laws(found: Solution) -> Iterator[Relation]:
 
 
 def unknowns_together(found: Solution) -> int:
-    """Return the size of the largest set of names without a value that laws connect with each other; at least 1."""
+    """Return the size of the largest set of unknowns that laws connect with each other; at least 1."""
     groups: list[set[str]] = []
     for names in _unknowns_of_laws(found):
         touching = [group for group in groups if not group.isdisjoint(names)]
@@ -123,7 +123,7 @@ def unknowns_together(found: Solution) -> int:
 
 
 def _unknowns_of_laws(found: Solution) -> Iterator[set[str]]:
-    """Yield the names in each law that have no value where it is told; a law that only defines a name has none."""
+    """Yield the names in each law that have no value yet where the law is stated, except a name that it defines."""
     known: set[str] = set()
     for step in found.steps:
         for relation in step.relations:
@@ -140,7 +140,7 @@ def _unknowns_of_laws(found: Solution) -> Iterator[set[str]]:
 
 
 def is_vector(held: Expression) -> bool:
-    """Return whether a formula is the size of a vector by its components."""
+    """Return whether a formula is the magnitude of a vector: the root of a sum of squares."""
     squares = isinstance(held, Root) and isinstance(held.inside, Sum) and held.inside.terms
     return bool(squares) and all(isinstance(term, Power) and term.exponent == SQUARE for term in squares)
 

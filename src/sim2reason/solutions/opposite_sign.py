@@ -1,4 +1,4 @@
-"""Why a quantity of which only the magnitude is given has the sign with which its equations were solved."""
+"""Arguments that exclude the opposite sign of a quantity of which a question states only the magnitude."""
 
 from collections.abc import Iterator, Sequence
 
@@ -11,14 +11,14 @@ from sim2reason.solutions.solution import with_unit
 from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 
-SQUARES = frozenset({"kinetic energy", "rotational kinetic energy", "translational kinetic energy"})  # of no sign
+SQUARES = frozenset({"kinetic energy", "rotational kinetic energy", "translational kinetic energy"})  # never negative
 ONLY = "Only a magnitude is given;"
 """Beginning of the sentence that excludes the opposite sign."""
 SINES = {"arcsin": "sine", "arccos": "cosine"}
 
 
 def is_magnitude(setting: Setting, book: Book, goal: str) -> bool:
-    """Return whether a question gives the magnitude of a goal whose sign was chosen when its formula was written."""
+    """Return whether the question states only the magnitude of a goal whose sign was chosen in its formula."""
     target = setting.target
     if target is None or target.sense is not None or target.quantity in SQUARES:
         return False
@@ -27,9 +27,9 @@ def is_magnitude(setting: Setting, book: Book, goal: str) -> bool:
 
 
 def exclude_opposite(book: Book, step: Writing, goal: str, found: Sequence[tuple[str, Expression]]) -> bool:
-    """Say why the opposite sign of a goal leads to no possible value, and return whether anything is said.
+    """Write the reason why the opposite sign of a goal leads to no possible value; return whether there is one.
 
-    The formulas `found` from the goal give names one after the other, of which the last one is the unknown.
+    `found` has the chain of formulas from the goal to the unknown: each name with its formula, the unknown last.
     """
     values: dict[str, Expression] = {goal: -Symbol(goal)}
     for number, (name, held) in enumerate(found):
@@ -48,7 +48,7 @@ def exclude_opposite(book: Book, step: Writing, goal: str, found: Sequence[tuple
 
 
 def _impossible(book: Book, step: Writing, goal: str, name: str, formula: Expression) -> str | None:
-    """Return why a formula has no value, in words; empty if that is plain to see; None if it has a value."""
+    """Return why a formula has no real value, in words; empty if that is obvious; None if it has a value."""
     for part in _inner_first(formula):
         if isinstance(part, Root):
             if goal not in part.symbols():
@@ -69,7 +69,7 @@ def _impossible(book: Book, step: Writing, goal: str, name: str, formula: Expres
 
 
 def _out_of_range(book: Book, step: Writing, goal: str, name: str, formula: Expression) -> str:
-    """Return that an unknown would be negative, or a coefficient of restitution more than 1; empty if neither."""
+    """Return that the unknown would be negative, or a coefficient of restitution above 1; empty if neither."""
     try:
         branches = _of_either_sign(goal, formula)
         found = list(dict.fromkeys(with_unit(book.value(branch), book.units[name]) for branch in branches))
@@ -91,10 +91,10 @@ def _out_of_range(book: Book, step: Writing, goal: str, name: str, formula: Expr
 
 
 def _of_either_sign(goal: str, held: Expression) -> list[Expression]:
-    """Return a formula, and the same with the opposite sign of the square root that contains the goal, if there is one.
+    """Return a formula and, if a square root in it contains the goal, the same with the root's sign reversed.
 
     Raises:
-        UnsolvedError: there are several.
+        UnsolvedError: several square roots contain the goal.
     """
     roots = (part for part in _inner_first(held) if isinstance(part, Root) and goal in part.symbols())
     found = list(dict.fromkeys(roots))

@@ -1,4 +1,4 @@
-"""The reason why a goal whose magnitude is given has its sign: values of the unknown that give the opposite one."""
+"""The reason for the sign of a goal with a stated magnitude, from the unknowns that give the opposite sign."""
 
 from collections.abc import Sequence
 
@@ -10,14 +10,14 @@ from sim2reason.solutions.other_roots import OtherRoots
 from sim2reason.solutions.writing.steps import Writing
 
 OPPOSITE = f"{ONLY} with the opposite sign, for which {{}} would be {{}}"
-"""Beginning of the sentence that excludes such a value of the unknown."""
+"""Beginning of the sentence that excludes a value of the unknown with which the goal has the opposite sign."""
 
 
 def tell_sign(roots: OtherRoots, step: Writing, chain: Chain | None, found: Sequence[tuple[str, Expression]]) -> None:
-    """Say why the goal has its sign, by the formulas `found` from it to the unknown, or by other values of the unknown.
+    """Write why the goal has its sign, from its chain of formulas `found` or from other values of the unknown.
 
-    The `chain` leads from the unknown to the goal, and is None where the sign is known. Where one of its formulas is a
-    root that was found numerically, no other values are looked for.
+    The `chain` leads from the unknown to the goal, and is None where the sign is known. If one of its formulas is a
+    root that was found numerically, no other values are searched for.
     """
     if chain is None:
         return

@@ -1,4 +1,4 @@
-"""Why the other solution of an equation for a name does not count."""
+"""Arguments that exclude the other roots of an equation."""
 
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
@@ -16,25 +16,25 @@ from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 from sim2reason.solutions.writing.unit_latex import DEGREES, SECONDS
 
 Sides = tuple[Expression, Expression]
-"""Left and right of an equation."""
+"""The left and right sides of an equation."""
 OTHER = "With the other root for {}, {}"
-LONGEST = 6000  # characters of a comparison with everything inserted
+LONGEST = 6000  # maximum length of the LaTeX of a comparison after substitution
 UNDEFINED = (UnsolvedError, ValueError, ArithmeticError, KeyError, TypeError)
 
 
 class OtherRoots:
-    """The reasons that a solution of a reverse question gives, each verified by a relation where it can be."""
+    """The writer of the reasons that exclude other roots in a reverse question, verified where possible."""
 
     def __init__(self, book: Book, unknown: str, chain: Callable[[str], Chain]) -> None:
-        """Take the name that is asked for, and the formulas by which another name hangs on it."""
+        """Take the symbol of the unknown and a function that returns the chain of formulas on which a name depends."""
         self.book, self.unknown, self._chain = book, unknown, chain
 
     def tell(
         self, step: Writing, name: str, found: Expression, others: Sequence[float], written: Sequence[Sides]
     ) -> None:
-        """Write why what else a name might be does not count.
+        """Write why the other roots of the equation for a name are excluded.
 
-        `others` fulfil the equation as it stands; of `written` equations the first is the one that the text shows.
+        `others` are the other roots; the first of the `written` equations is the one that the text shows.
         """
         book = self.book
         if book.in_symbols:
@@ -51,7 +51,7 @@ class OtherRoots:
             step.say(beyond_right_angle(others, book.values[name]) or self._obtuse(step, name, found))
 
     def drop(self, step: Writing, name: str, others: Sequence[float]) -> None:
-        """Say why another root does not count: a number that is positive would be negative."""
+        """Write that another root is excluded because a positive quantity would be negative."""
         book = self.book
         if len(others) != 1 or book.values[self.unknown] <= 0.0 or (name == self.unknown and others[0] >= 0.0):
             return
@@ -70,10 +70,10 @@ class OtherRoots:
         return f"${with_unit(value, self.book.units[name])}$"
 
     def exclude(self, others: Sequence[float], lead: str = OTHER, *, must: bool = False) -> None:
-        """Let the end of the solution say which comparison would be false with another, positive value of the unknown.
+        """Schedule a final statement of the comparison that fails for another, positive value of the unknown.
 
-        By then all comparisons are written on which the equations rest. The sentence begins with `lead`. With `must`,
-        there is no solution where no comparison would be false: nobody could tell which root counts.
+        It is written when all assumed comparisons are. The sentence begins with `lead`. With `must`, UnsolvedError is
+        raised if no comparison fails, as then nothing determines the root.
         """
         right_angle = self.book.units[self.unknown] == DEGREES
         for value in others:
@@ -119,10 +119,10 @@ class OtherRoots:
             raise UnsolvedError(f"nothing that it states excludes the other root, {value:.5g}")
 
     def _with(self, side: Expression, held: dict[str, Expression], value: float) -> Expression:
-        """Return a formula with all inserted that hangs on the unknown, and a value for that.
+        """Return a formula in terms of the unknown alone, with a value substituted for the unknown.
 
         Raises:
-            UnsolvedError: it becomes long.
+            UnsolvedError: the formula becomes too long.
         """
         for name in reversed(held):
             side = put(side, name, held[name])
@@ -131,7 +131,7 @@ class OtherRoots:
         return put(side, self.unknown, Number(value))
 
     def _too_late(self, step: Writing, name: str, others: Sequence[float]) -> None:
-        """Say that another root is no time of a stage that ends before a stated instant."""
+        """Write that another root is later than a stated instant that ends the stage."""
         book = self.book
         stated = [held for held in book.stated if book.units[held] == book.units[name] == SECONDS]
         late = [held for held in stated if book.values[name] < book.values[held] < others[0]]
@@ -139,7 +139,7 @@ class OtherRoots:
             step.say(f"The other root, {self._number(name, others[0])}, is later than ${late[0]}$.")
 
     def _say_never(self, step: Writing, name: str, value: float) -> None:
-        """Say that no possible value of the unknown gives another root, or let the end exclude the values that do."""
+        """Write that no value of the unknown gives another root, or schedule the exclusion of the values that do."""
         if name == self.unknown:
             return
         chain = self._chain(name)
@@ -151,7 +151,7 @@ class OtherRoots:
             step.say(f"No {what} gives the other root, {self._number(name, value)}.")
 
     def _would_be_negative(self, name: str, value: float) -> bool:
-        """Return whether a name on which the unknown hangs linearly has a value only where the unknown is negative."""
+        """Return whether a name, linear in the unknown, takes a value only where the unknown is negative."""
         at, known, chain = self.book.values, self.book.values[self.unknown], self._chain(name)
         try:
             one, two, three = (float(chain.value({**at, self.unknown: n * known}).real) for n in (1.0, 2.0, 3.0))
@@ -161,7 +161,7 @@ class OtherRoots:
         return straight and (value - one) / (two - one) < -1.0
 
     def _breaks_assumption(self, step: Writing, name: str, value: float) -> None:
-        """Say that with another root a comparison would be false on which the equations rest."""
+        """Write the comparison, assumed by the equations, that fails with another root."""
         for left, right in self._assumed(name):
             try:
                 more, less = put(right, name, Number(value)), put(left, name, Number(value))
@@ -177,14 +177,14 @@ class OtherRoots:
                 return
 
     def _assumed(self, name: str) -> Iterator[Sides]:
-        """Yield the sides of comparisons that were written before with a name, all else in which is known."""
+        """Yield both sides of each written comparison that contains a name and otherwise only known names."""
         for relation in (relation for step in self.book.steps for relation in step.relations):
             names = {*relation.symbols()}
             if relation.role == "exceeds" and name in names and self.book.hidden.isdisjoint(names - {name}):
                 yield relation.left, relation.right
 
     def _from_squaring(self, step: Writing, name: str, shown: Sides, plain: Sides) -> None:
-        """Say of the other root of the quadratic equation that the text shows that it is negative, or does not fit."""
+        """Write that the other root of the displayed quadratic is negative or fails the original equation."""
         other, known = self._other_of_quadratic(name, shown), self.book.values[name]
         if other is None:
             return
@@ -226,7 +226,7 @@ class OtherRoots:
         return root * known if fits and abs(root - 1.0) > SAME else None
 
     def _obtuse(self, step: Writing, name: str, found: Expression) -> str:
-        """State that the other angle with the same sine exceeds 90°; return "" for what is found in another way."""
+        """Return a sentence that the other angle with the same sine exceeds 90°; empty unless an arcsine was taken."""
         inverse = -found if found.negative else found
         known = self.book.values[name]
         if not isinstance(inverse, Call) or inverse.function != "arcsin" or not 0.0 < known < 0.5 * pi:

@@ -1,4 +1,4 @@
-"""Worked solutions of problems with several parts, or with options."""
+"""Worked solutions of multipart and multiple-choice problems."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -12,18 +12,18 @@ _BOX = re.compile(r"\\boxed\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}")
 
 @dataclass(frozen=True, slots=True)
 class PartsSolution(Solution):
-    """The solutions of all parts as one; its goal and answer are those of the last part."""
+    """The combined solution of all parts; its goal and answer are those of the last part."""
 
     parts: tuple[Solution, ...] = ()
 
     @property
     def derived(self) -> bool:
-        """Return whether the answers to all parts are derived."""
+        """Return whether the answers to all parts are derived in closed form."""
         return bool(self.parts) and all(part.derived for part in self.parts)
 
     @property
     def text(self) -> str:
-        """The solutions behind their labels, and all answers in one box."""
+        """Return the solutions of all parts with their labels, and all answers in one box."""
         told = [f"({label}) {_told(part)}" for label, part in zip(LABELS, self.parts, strict=False)]
         if self.answer is not None:
             boxes = (_BOX.search(part.text) for part in self.parts)
@@ -34,25 +34,25 @@ class PartsSolution(Solution):
 
 @dataclass(frozen=True, slots=True)
 class ChosenSolution(Solution):
-    """A solution whose answer is one of several options."""
+    """A solution of a multiple-choice question, whose answer is the letter of an option."""
 
     letter: str = ""
 
     @property
     def text(self) -> str:
-        """The solution of the question without options, and the letter in a box."""
+        """Return the solution of the question without options, followed by the letter in a box."""
         text = _BOX.sub(r"\1", super(ChosenSolution, self).text)
         return f"{text}\n\n" + rf"That is option $\boxed{{\text{{{self.letter}}}}}$."
 
 
 def chosen(solution: Solution, letter: str) -> Solution:
-    """Return the solution of a multiple choice from that of its question."""
+    """Return the solution of a multiple-choice question from the solution of the plain question."""
     held = {each.name: getattr(solution, each.name) for each in fields(Solution)}
     return ChosenSolution(**held, letter=letter)
 
 
 def together(parts: Sequence[Solution]) -> Solution:
-    """Return one solution of all parts; without an answer where a part has none, and then it says of which."""
+    """Return one solution of all parts; if a part has no answer, a solution without one that names the part."""
     for label, part in zip(LABELS, parts, strict=False):
         if part.answer is None:
             return Solution("", reason=f"part ({label}): {part.reason}")
@@ -70,12 +70,12 @@ def together(parts: Sequence[Solution]) -> Solution:
 
 
 def _told(part: Solution) -> str:
-    """Return the text of one part, without a box."""
+    """Return the text of one part without the box around its answer."""
     return _BOX.sub(r"\1", part.text)
 
 
 def _in_one_row(parts: Sequence[Solution]) -> Iterator[Step]:
-    """Yield the steps of all parts, counted from zero."""
+    """Yield the steps of all parts with consecutive numbers from zero."""
     count = 0
     for part in parts:
         for step in part.steps:

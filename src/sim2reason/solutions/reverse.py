@@ -1,4 +1,4 @@
-"""Reverse questions: the same laws, with one number unknown and a result given, solved for that number."""
+"""Reverse questions: the result is given, and the same laws are solved for one unknown parameter."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -30,13 +30,13 @@ from sim2reason.solutions.setting import Setting, joined
 from sim2reason.solutions.stretch_ends import at_end
 from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 
-PAIR = 2  # terms of an equation whose root is seen at once
-LONG = 300  # characters of a formula that is better not written
-LONGEST = 40  # formulas put into each other
+PAIR = 2  # number of terms of an equation whose root can be read off
+LONG = 300  # maximum length of the LaTeX of a formula that is written out
+LONGEST = 40  # maximum number of substitutions of one formula into another
 
 
 def forward(setting: Setting) -> Setting:
-    """Return the setting that is solved in place of one whose answer the engine knows; others as they are.
+    """Return the setting whose answer the engine knows, for a question that hides it; other settings unchanged.
 
     For *when is the speed 2.1 m/s?* it asks for the speed at the time t, the answer. For a threshold, the number whose
     limit is meant has its limiting value; if a result states that, another number is the unknown. For an optimum, the
@@ -66,10 +66,10 @@ def forward(setting: Setting) -> Setting:
 
 
 class Inversion:
-    """From what a goal is given to be, back to the number that is unknown."""
+    """The solver that goes from the given value of a goal back to the unknown parameter."""
 
     def __init__(self, book: Book, goal: str, value: float, unknown: str, *, magnitude: bool = False) -> None:
-        """`value` of the goal is in SI units, as the book counts; the question may give its `magnitude` alone."""
+        """Take the `value` of the goal in SI units; with `magnitude` the question states only its absolute value."""
         self.book, self.goal, self.unknown = book, goal, unknown
         if goal not in book.formulas:
             raise UnsolvedError("what is given does not hang on what is unknown")
@@ -83,7 +83,7 @@ class Inversion:
         self._signed = self._chain(goal, *self._leading(goal)) if signed else None  # the goal of either sign
 
     def write(self, spelled: str = "") -> str:
-        """Write it; the symbol is the unknown's. `spelled` is what the goal is said to be; where nothing is, zero."""
+        """Write the solution for the unknown and return its symbol; `spelled` is the stated result, empty for zero."""
         book, at = self.book, self.goal
         formula, value = self._begun(spelled)
         for _ in range(LONGEST):
@@ -115,7 +115,7 @@ class Inversion:
         return self._numerically(at)
 
     def _begun(self, spelled: str) -> tuple[Expression, Expression]:
-        """Return the formula of the goal and its value, given from now on; of a root, the residual and zero."""
+        """Return the formula of the goal and its given value; for an implicit root, the residual and zero."""
         book, formula = self.book, self._defined
         if spelled:
             book.state(self.goal, self.stated, spelled)
@@ -126,7 +126,7 @@ class Inversion:
         return formula, ZERO
 
     def _short(self, formula: Expression) -> Expression:
-        """Return a formula with numbers for what is known, if it is too long to be read."""
+        """Return a formula, with numbers in place of known symbols if it is too long to read."""
         if len(formula.latex()) <= LONG:
             return formula
         plain = tidied(formula, self.unknown)
@@ -135,12 +135,12 @@ class Inversion:
         return settled(formula, frozenset(self.book.hidden), self.book.worked)
 
     def _equation(self, name: str) -> tuple[Expression, Expression]:
-        """A formula of a name that is known now, and its value: of a root, the residual, which holds the name."""
+        """Return the formula of a known name and its value; for an implicit root, the residual and zero."""
         found = self.book.formulas[name]
         return (found.residual, ZERO) if isinstance(found, ImplicitRoot) else (found, Symbol(name))
 
     def _inverted(self, name: str, formula: Expression, value: Expression) -> Expression:
-        """A formula solved for a name; with numbers for what is known, if it would be too long to be read otherwise."""
+        """Return a formula solved for a name, with numbers in place of known symbols if it is too long to read."""
         book = self.book
         found = solved_for(name, formula, value, book.values)
         if isinstance(found, NumericRoot) or len(found.latex()) > LONG:
@@ -160,7 +160,7 @@ class Inversion:
         return replace(found, guarded=True) if self._guarded and isinstance(found, Worked) else found
 
     def _in_numbers(self, name: str, formula: Expression) -> Expression:
-        """Return a formula of one unknown name with numbers for all else."""
+        """Return a formula in which all names but one have their numbers."""
         return settled(formula, frozenset({name}), self.book.worked)
 
     def _others(self, name: str, formula: Expression, value: Expression) -> Sequence[float]:
@@ -171,7 +171,7 @@ class Inversion:
         return found or other_solutions(name, self._in_numbers(name, formula), value, self.book.values)
 
     def _equation_behind(self, name: str, found: Expression, formula: Expression, value: Expression) -> Sides | None:
-        """Return both sides of the equation behind a root; None if it is solved by inverse operations alone."""
+        """Return the sides of the equation that a root solves; None if inverse operations suffice."""
         if isinstance(found, NumericRoot):
             told = self.book.in_symbols or formula is self._defined or isinstance(formula, ImplicitRoot)
             return None if told or len(formula.latex()) > LONG or value == ZERO else (value, formula)
@@ -185,7 +185,7 @@ class Inversion:
         return sides or self._put_together(name, found, formula, value)
 
     def _put_together(self, name: str, found: Expression, formula: Expression, value: Expression) -> Sides | None:
-        """Return both sides of the equation that formulas put into each other give; None if it is long."""
+        """Return the sides of the equation that results from substitution; None if it is too long."""
         bare = isinstance(found, Quotient) and {type(part) for part in found.parts} == {Worked}
         if not self._inserted and not bare:
             return None
@@ -196,12 +196,12 @@ class Inversion:
         return (value, formula) if len(formula.latex()) <= LONG else None
 
     def _only_root(self, name: str, formula: Expression, found: Expression) -> str:
-        """Say why an equation that is solved numerically has a single root, if its right side tells."""
+        """Return a clause that an equation solved numerically has a single root, if its right side is monotonic."""
         how = trend(formula, name, self.book.values) if isinstance(found, NumericRoot) else ""
         return f". The right side {how} as ${name}$ increases, so it has only one root" if how else ""
 
     def _numerically(self, at: str) -> str:
-        """All formulas up to one whose value is known put into each other, with one unknown, too long to be written."""
+        """Write the numerical solution of all formulas together for the unknown, and return its symbol."""
         book = self.book
         names = self._leading(at)
         chain = self._chain(at, *names)
@@ -230,7 +230,7 @@ class Inversion:
         return self.unknown
 
     def _tell_implied(self, step: Writing, names: Sequence[str]) -> None:
-        """Tell the values of names that have been written without one, roots and values of special functions."""
+        """Write the values of names that have been defined without one: roots and special functions."""
         told: list[str] = []
         for name in names:
             held = self.book.formulas[name]
@@ -241,7 +241,7 @@ class Inversion:
         step.say(f"With it, {joined(told)}." if told else "")
 
     def _leading(self, at: str) -> list[str]:
-        """Return the names on which one hangs whose values are unknown, each after those that it hangs on itself."""
+        """Return the unknown names on which a name depends, each after those on which it depends itself."""
         formulas, waiting, found = self.book.formulas, [at], set[str]()
         while waiting:
             more = {*self._formula(waiting.pop()).symbols()} & (self.book.hidden & formulas.keys()) - found
@@ -250,15 +250,15 @@ class Inversion:
         return [name for name in formulas if name in found]
 
     def _chain(self, at: str, *names: str) -> Chain:
-        """Return the formulas of names, and of one that hangs on them, as one."""
+        """Return the formulas of some names, and of one that depends on them, as a chain."""
         return Chain(tuple((name, self._formula(name)) for name in (*names, at)))
 
     def _formula(self, name: str) -> Expression:
-        """Return the formula of a name, or of the goal, even where it was set to zero and has none any more."""
+        """Return the formula of a name, or of the goal, which may no longer be stored."""
         return self._defined if name == self.goal else self.book.formulas[name]
 
     def _lead(self, at: str, equation: Sides) -> str:
-        """Return what is said before an equation that several formulas lead to; empty for any other."""
+        """Return the words before an equation that results from substitution; empty for any other equation."""
         numeric, counted = any(next(numbers(side), None) is not None for side in equation), self.book.counts_in_si
         units = f" in {'SI units' if counted else 'numbers'}," if numeric else ""
         if not self._inserted:
@@ -268,14 +268,14 @@ class Inversion:
         return f"{what}{value} gives{',' if units else ''}{units} "
 
     def _insertion(self, at: str, names: Sequence[str]) -> str:
-        """Return the beginning of a sentence about what is inserted into the equation of a name."""
+        """Return the beginning of a sentence about substitution into the equation of a name."""
         inserted = [f"${name}$" for name in names if name not in (self.unknown, at)]
         if not inserted:
             return f"The equation for ${at}$"
         return f"Inserting {joined(inserted)} into the equation for ${at}$"
 
     def _close(self, name: str, found: Expression, at: str, others: Sequence[float], written: Sequence[Sides]) -> None:
-        """Say what a symbol is, by the equation that determines it: the last one, which may be written as the first."""
+        """Write the value of a symbol after the equation that determines it, or a simpler form of that equation."""
         equation = written[0] if len(written) > 1 else None
         step = self.book.open(SOLVED)
         given = at == self.goal and bool(self.stated)

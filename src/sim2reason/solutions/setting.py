@@ -1,4 +1,4 @@
-"""All that a strategy looks at: a scene as its text calls things, its motion in segments, and what is asked."""
+"""The problem context of a strategy: a scene with the names of its text, its motion in segments and a query."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -21,14 +21,14 @@ from sim2reason.solutions.writing.unit_latex import latex
 from sim2reason.text.prose.description import Description
 from sim2reason.text.prose.voices import numeric
 
-LEVEL = 1e-9  # the part of a direction that is none
-BEYOND = 1.001  # times the moment that is asked about, to which the motion is followed
-LEAST = 1e-6  # s
+LEVEL = 1e-9  # tolerance of the components of a unit vector
+BEYOND = 1.001  # factor by which the motion is followed beyond the moment of the question
+LEAST = 1e-6  # s, minimum duration of the motion that is followed
 
 
 @dataclass(frozen=True)
 class Setting:
-    """A scene, its words, and a query about it; `symbols` by address are those that the text would use."""
+    """A problem context: a scene, its names in the text, a query, and the `symbols` of the text by address."""
 
     scene: Scene
     words: Words
@@ -46,9 +46,9 @@ class Setting:
 
     @classmethod
     def of(cls, question: Question, study: Study, words: Words, description: Description) -> Self:
-        """Return the setting of a question with an answer; what its text leaves unknown has the symbol of the text.
+        """Return the setting of a question with an answer; the unknown has its symbol in the text.
 
-        A text in symbols has no symbol for a number that it does not tell, such as a strain of zero: a question may.
+        A text in symbols has no symbol for a number that it does not state, such as a strain of zero.
         """
         symbols = {**description.voiced(numeric).symbols, **description.symbols}
         if question.formula is not None:
@@ -58,12 +58,12 @@ class Setting:
 
     @property
     def mechanism(self) -> Mechanism:
-        """The mechanism of the scene."""
+        """Return the mechanism of the scene."""
         return self.scene.mechanism
 
     @property
     def target(self) -> Target | None:
-        """The quantity that is asked for; what a stretch of motion adds up to, by the name of the functional."""
+        """Return the quantity that is asked for; for a question over an interval, that with the functional's name."""
         if isinstance(self.query, StretchQuery):
             return Target(self.query.functional, self.query.name)
         target = self.query.target
@@ -73,7 +73,7 @@ class Setting:
 
     @cached_property
     def lexicon(self) -> Lexicon:
-        """The symbols of the given numbers, which all questions about one motion share with what was read by them."""
+        """Return the symbols of the given numbers, shared by all questions about one motion."""
         if self.scene is not self.study.scene:
             return Lexicon(self.scene, self.symbols)
         key = "lexicon", tuple(self.symbols.items())
@@ -81,13 +81,13 @@ class Setting:
 
     @cached_property
     def time(self) -> float:
-        """Return when all that the answer depends on has happened, s."""
+        """Return the time, s, until which the motion affects the answer."""
         found = KINDS[self.query.kind].time(self.query, self.study)
         return 0.0 if found is None else found
 
     @cached_property
     def motion(self) -> Motion:
-        """The motion up to that time, in segments; that of the study was followed when it was recorded."""
+        """Return the motion until that time as segments; a recorded motion is reused."""
         until, trace = max(self.time * BEYOND, LEAST), self.study.trace
         known, held = float(trace.state.times[-1]), trace.record
         if self.mechanism is not self.study.mechanism or until > known:
@@ -98,14 +98,14 @@ class Setting:
 
     @cached_property
     def story(self) -> frozenset[str]:
-        """The kinds of what happens before that time."""
+        """Return the kinds of the events before that time."""
         return frozenset(event.kind for event in happened(self.motion.events, self.time))
 
     @cached_property
     def answer(self) -> float | None:
         """Return the engine's value of the query, of an unknown number, or of the moment's of a given result.
 
-        A greatest value at an end of its stretch is one, though only people ask for it.
+        A greatest value at an end of its interval counts, although generated questions never ask for one.
         """
         if self.sought is not None:
             return self.sought
@@ -117,14 +117,14 @@ class Setting:
 
     @property
     def unit(self) -> str:
-        """The unit of what the query asks for, in LaTeX."""
+        """Return the unit of the answer to the query, in LaTeX."""
         return latex(KINDS[self.query.kind].measured(self.query).unit)
 
     # ---- names
 
     @cached_property
     def pulleys(self) -> Mapping[str, str]:
-        """The address of the pulley that each light carrier holds."""
+        """Return the address of the pulley that each light carrier holds."""
         return pulleys(self.mechanism, self.words.mentions)
 
     def called(self, body: str) -> str:
@@ -133,7 +133,7 @@ class Setting:
         return self.words.mentions.get(address, "the carrier of the pulley")
 
     def mark(self, body: str) -> str:
-        """The subscript for a body: its letter; its noun where it has none and is not alone; nothing where it is."""
+        """Return the subscript for a body: its letter, else its noun; empty if it is the only moving body."""
         said = self.called(body)
         if not said.startswith("the "):
             return said.rpartition(" ")[2]
@@ -144,7 +144,7 @@ class Setting:
         return "" if len(moving) == 1 else rf"\text{{{said.removeprefix('the ').rpartition(' ')[2]}}}"
 
     def listed(self, bodies: list[str]) -> str:
-        """Several bodies in one phrase: block A, crates B and C."""
+        """Return several bodies as one phrase, such as *block A, crates B and C*."""
         nouns: dict[str, list[str]] = {}
         for said in map(self.called, bodies):
             noun, _, letter = said.rpartition(" ") if not said.startswith("the ") else (said, "", "")
@@ -157,7 +157,7 @@ class Setting:
 
     @cached_property
     def lines(self) -> Mapping[str, str]:
-        """Return phrases for strings, by name, also for those that are only drawn in."""
+        """Return phrases for strings, by name, including pulled strings, which have no length constraint."""
         found = line_phrases(self.mechanism, self.words.mentions, self.mechanism.strings, "string", alone=False)
         drawn = {
             line.name: "the string that is pulled"
@@ -177,7 +177,7 @@ class Setting:
         return held.body in self.pulleys and any(held.at)
 
     def _by_one_end(self, found: Mapping[str, str]) -> dict[str, str]:
-        """Return the strings that are fixed at an end of which the text has no name."""
+        """Return phrases for strings that have a fixed end without a name in the text, by name."""
         named: dict[str, str] = {}
         for line in self.mechanism.strings:
             if line.name in found:
@@ -198,15 +198,15 @@ class Setting:
         return frozenset(given.symbol for given in self.lexicon.givens.values())
 
     def is_given(self, name: str) -> bool:
-        """Return whether the text says the value of a symbol."""
+        """Return whether the text states the value of a symbol."""
         return name in self._given_names
 
     def given(self, path: str) -> StatedNumber | None:
-        """Return a number that the text says."""
+        """Return a parameter that the text states, by its path; None if it does not."""
         return self.lexicon.givens.get(path)
 
     def towards(self, way: Vector, *, on: str | None = None) -> str:
-        """Return a direction in words; `on` is the body on whose face it lies, if that can move."""
+        """Return a direction in words; `on` is the body on whose face the direction lies, if that can move."""
         x, y, z = way
         if abs(z) > 1.0 - LEVEL:
             return "upward" if z > 0.0 else "downward"
@@ -226,10 +226,10 @@ class Setting:
 
 
 def capital(text: str) -> str:
-    """With a capital."""
+    """Return a text with its first letter capitalised."""
     return text[:1].upper() + text[1:]
 
 
 def joined(names: list[str]) -> str:
-    """A, B and C."""
+    """Return names as a list in words: A, B and C."""
     return names[0] if len(names) == 1 else ", ".join(names[:-1]) + " and " + names[-1]

@@ -1,6 +1,6 @@
-"""The worked solution that shows what a question needs, found before the question is written or its answer solved for.
+"""The shortest worked solution of a question, found before the question is written or inverted.
 
-Nothing is integrated numerically on the way: where only that would lead to the answer, the solution has none.
+Numerical integration is not used: if only that would lead to the answer, the solution has none.
 """
 
 from collections.abc import Hashable
@@ -25,10 +25,10 @@ def shortest(
     stated: StatedResult | None = None,
     most: Need = Need.SPECIAL_FUNCTION,
 ) -> Solution:
-    """Return the solution of a query, or of the question for the `unknown` that has the `stated` result.
+    """Return the solution of a query, or of the question for the `unknown` with the `stated` result; cached.
 
-    One that needs more than `most` is none. It is worked out once for a study. `unknown` is the address of a number of
-    the scene. That it leads to the answer is left to `shortest_checked`: most questions are refused before.
+    The mathematics of a solution may not exceed `most`. `unknown` is the address of a parameter of the scene. The data
+    of the solution are only recomputed by `shortest_checked`, since filters reject most questions before.
     """
     setting = _setting(query, study, words, unknown, stated, most)
     found = study.once(_key(query, unknown, stated, setting.most), lambda: solve(setting, checked=False))
@@ -40,7 +40,7 @@ def shortest(
 def shortest_checked(
     query: Query, study: Study, words: Words, unknown: str, stated: StatedResult | None, most: Need
 ) -> Solution:
-    """Return the same if its answer follows from what it states, else the shortest one of which that is true."""
+    """Return the shortest solution whose answer is recomputed from its own data."""
     found = shortest(query, study, words, unknown, stated, most)
     setting = _setting(query, study, words, unknown, stated, most)
     if found.answer is None or verified(found, forward(setting)).answer is not None:
@@ -56,7 +56,7 @@ def _setting(
 
 
 def is_solved(query: Query, study: Study, unknown: str, stated: StatedResult | None, most: Need) -> bool:
-    """Return whether `shortest` was asked for this before, so that its solution costs nothing."""
+    """Return whether `shortest` has a cached solution for these arguments."""
     return study.knows(_key(query, unknown, stated, min(most, Need.SPECIAL_FUNCTION)))
 
 
@@ -65,11 +65,11 @@ def _key(query: Query, unknown: str, stated: StatedResult | None, most: Need) ->
 
 
 def shortest_known(query: Query, study: Study) -> Solution | None:
-    """Return the solution of a query if one was found before."""
+    """Return the cached solution of a query; None if there is none."""
     return study.once((FOUND, query), lambda: Solution("")) if study.knows((FOUND, query)) else None
 
 
 def may_have_solution(kind: str, study: Study, most: Need) -> bool:
-    """Return whether any strategy that needs no more than `most` may have a way to questions of a kind."""
+    """Return whether a strategy that needs no more than `most` may answer questions of a kind."""
     found = study.once(("needed least", kind), lambda: [each.least_need for each in closed(kind, study.mechanism)])
     return min(found, default=Need.INTEGRATION) <= most

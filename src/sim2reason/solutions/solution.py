@@ -1,4 +1,4 @@
-"""What a worked solution is made of: steps with their relations, and how it ends."""
+"""The parts of a worked solution: steps with their relations, phases and the answer."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -16,20 +16,20 @@ from sim2reason.solutions.algebra.plain_latex import plain_latex
 from sim2reason.solutions.writing.unit_latex import DEGREES
 
 Role = Literal["given", "law", "derived", "result", "verified", "exceeds", "trial", "condition"]
-CHECKS = frozenset({"verified", "exceeds"})  # roles of relations on which nothing rests
-WELL = 1e-9  # relative: how well every relation holds
-SAME = 1e-6  # relative: a solution that leads to another answer is none
+CHECKS = frozenset({"verified", "exceeds"})  # roles of relations on which no other relation depends
+WELL = 1e-9  # relative tolerance within which every relation holds
+SAME = 1e-6  # relative tolerance of the answer of a solution to the engine's
 
 
 @dataclass(frozen=True, slots=True)
 class Relation:
-    """An equation: what is `given`, a `law` that is told, what is `derived` from those, or a `result`: name = formula.
+    """An equation or comparison of two formulas, with its role in the solution.
 
-    What was assumed is `verified` by numbers on which nothing rests, and by comparisons: the left side `exceeds` the
-    right one. An unknown found by `trial` has the value with
-    which the `condition`, a result that the question gives, holds in the end.
+    A `given`, `law` or `derived` equation, or a `result`: name = formula. An assumption is `verified` by a number
+    on which nothing depends, or by a comparison: the left side `exceeds` the right one. An unknown found by `trial` has
+    the value with which the `condition`, a result that the question gives, holds at the end.
 
-    `unit` is that of a result, in LaTeX.
+    `unit` is the unit of a result, in LaTeX.
     """
 
     left: Expression
@@ -38,7 +38,7 @@ class Relation:
     unit: str = ""
 
     def latex(self, value: float | None = None) -> str:
-        """As it stands in the text, with dollars; of a result the value follows."""
+        """Return the relation as in the text, between dollar signs; a result is followed by its `value`."""
         formula, sign = plain_latex(self.right), ">" if self.role == "exceeds" else "="
         text = f"{plain_latex(self.left)} {sign} {formula}"
         if value is not None and (self.unit or not isinstance(self.right, Number)):
@@ -49,7 +49,7 @@ class Relation:
         return f"${text}$"
 
     def symbols(self) -> Iterator[str]:
-        """Yield all names in it."""
+        """Yield all names in both sides, some more than once."""
         yield from self.left.symbols()
         yield from self.right.symbols()
 
@@ -67,7 +67,7 @@ class Coordinate:
 
 @dataclass(frozen=True, slots=True)
 class Accumulated:
-    """A quantity that a phase adds up over time, such as work, impulse or path length: its rate and initial value."""
+    """A quantity that is integrated over a phase, such as work, impulse or path length: rate and initial value."""
 
     name: str
     rate: Expression
@@ -111,7 +111,7 @@ class Integration:
     accumulated: tuple[Accumulated, ...] = ()
 
     def symbols(self) -> Iterator[str]:
-        """Return all names that it takes from elsewhere, some more than once."""
+        """Yield all names that the problem takes from other steps, some more than once."""
         own = {self.time, *self.unknowns, *(held.name for held in self.accumulated)}
         own |= {name for c in self.coordinates for name in (c.place, c.rate, c.acceleration)}
         formulas = [self.begin, self.until.expression]
@@ -131,7 +131,7 @@ class Phase:
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """One step: its sentence, its relations, the names that it gives a value, and the steps that it needs.
+    """One step of a solution: its text, its relations, the names that it gives a value, and the steps it needs.
 
     `phase` is the index of the phase of the motion to which it belongs. An `integration` is the initial-value problem
     that the step states; the names of its `ends` are among those that the step gives.
@@ -147,7 +147,7 @@ class Step:
     integration: Integration | None = None
 
     def symbols(self) -> Iterator[str]:
-        """Return all names in its relations and its initial-value problem, some more than once."""
+        """Yield all names in its relations and its initial-value problem, some more than once."""
         for relation in self.relations:
             yield from relation.symbols()
         if self.integration is not None:
@@ -155,7 +155,7 @@ class Step:
 
     @property
     def need(self) -> Need:
-        """Return what mathematics it takes; a check on which nothing rests takes none."""
+        """Return the level of mathematics of the step; checks do not count."""
         if self.integration is not None:
             return Need.INTEGRATION
         held = (relation for relation in self.relations if relation.role not in CHECKS)
@@ -164,7 +164,7 @@ class Step:
 
 @dataclass(frozen=True)
 class Solution:
-    """A worked solution; without an `answer`, `reason` says why there is none."""
+    """A worked solution; if it has no `answer`, `reason` states why."""
 
     strategy: str
     steps: tuple[Step, ...] = ()
@@ -173,18 +173,18 @@ class Solution:
     answer: float | None = None
     unit: str = ""
     reason: str = ""
-    stated: tuple[str, ...] = ()  # the names of the numbers that the question itself says
-    constants: Mapping[str, Expression] = field(default_factory=dict[str, Expression])  # that no scene may change
+    stated: tuple[str, ...] = ()  # names of the numbers that the question itself states
+    constants: Mapping[str, Expression] = field(default_factory=dict[str, Expression])  # constants of nature
     formula: str = ""  # the answer to a problem in symbols
-    is_modulus: bool = False  # that formula is the absolute value of the goal, which may be negative
-    scale: float = 1.0  # what one of `unit` is in the unit of the answer, degrees but for those
-    keen: float = 1.0  # relative: by how much what is given changes with the answer, where that is unknown
+    is_modulus: bool = False  # the formula is the absolute value of the goal, which may be negative
+    scale: float = 1.0  # factor from `unit` to the unit of the answer, except for degrees
+    keen: float = 1.0  # condition number: relative change of the given result per relative change of the unknown
     phases: tuple[Phase, ...] = ()  # empty if the motion has a single phase
     asked_unit: tuple[str, float] | None = (
-        None  # the unit that the text asks for, and what one of the answer's is in it
+        None  # the unit that the text asks for, and the factor to it from the unit of the answer
     )
     whole: bool = False  # the answer is a count
-    applies: bool = True  # whether the strategy has a way to the question at all
+    applies: bool = True  # whether the strategy is applicable to the question
 
     def __repr__(self) -> str:
         """Return the strategy, the number of steps and the answer, or the reason why there is none."""
@@ -227,15 +227,15 @@ class Solution:
         return rf" = {number} \approx \boxed{{{rounded(answer * factor, 3)}}}{unit}"
 
     def said(self, value: float) -> float:
-        """Return what the goal comes to, as the answer counts it."""
+        """Return the value of the answer for a value of the goal in SI units."""
         return degrees(value) if self.unit == DEGREES else value * self.scale
 
     @property
     def relations(self) -> list[Relation]:
-        """Return all equations, in order."""
+        """Return all relations in the order of the steps."""
         return [relation for step in self.steps for relation in step.relations]
 
 
 def with_unit(value: float, unit: str, digits: int = DIGITS) -> str:
-    """Return a number with its unit, in LaTeX; an angle in degrees is known in radians."""
+    """Return a number with its unit, in LaTeX; angles in degrees are passed in radians."""
     return f"{rounded(degrees(value) if unit == DEGREES else value, digits)}{unit}"

@@ -1,4 +1,4 @@
-"""From a query about a scene to its worked solution."""
+"""The search for the worked solution of a query about a scene."""
 
 from collections.abc import Mapping
 from collections.abc import Set as AbstractSet
@@ -37,11 +37,11 @@ from sim2reason.text.prose.writer import Writer
 
 
 def solve(setting: Setting, *, derived: bool = False, checked: bool = True) -> Solution:
-    """Return the worked solution that needs least of those that can be shown; without an answer it says why.
+    """Return the worked solution that needs the simplest mathematics; without an answer it has a reason.
 
-    That is the first by cost with elementary needs, if there is one. A solution can be shown if its answer was
-    recomputed from what it states. With `derived`, only strategies that lead to formulas are tried; those are not
-    shown as they are, and are compared with motions instead. Without `checked`, nothing is recomputed.
+    The first by cost with elementary needs is taken, if there is one. A solution is accepted if its answer can be
+    recomputed from its data. With `derived`, only strategies that lead to formulas are tried; their solutions are
+    compared with simulated motions instead of shown. Without `checked`, nothing is recomputed.
     """
     reasons: list[str] = []
     best: Solution | None = None
@@ -71,10 +71,10 @@ def solve(setting: Setting, *, derived: bool = False, checked: bool = True) -> S
 
 
 def _kept(strategy: Strategy, setting: Setting, *, derived: bool) -> Solution:
-    """Return the solution by one strategy, as `by` does.
+    """Return the solution by one strategy, as `by` does, from the cache if possible.
 
-    What a derivation finds is kept with the motion: the search for the shortest solution of the same query takes it
-    from there, unless it needs more than it may. A solution to be shown is always written anew, in its own names.
+    The solution of a derivation is cached with the motion, and reused by the search for the shortest solution of the
+    same query unless its mathematics is too advanced. A solution to be shown is always written anew, in its own names.
     """
     key, study = ("derived by", strategy.name, setting.query), setting.study
     if derived:
@@ -88,9 +88,9 @@ def _kept(strategy: Strategy, setting: Setting, *, derived: bool) -> Solution:
 
 
 def by(strategy: Strategy, setting: Setting, *, shown: bool = True) -> Solution:
-    """The solution by one strategy, without an answer where it finds none; of a problem in symbols one in symbols.
+    """Return the solution by one strategy, without an answer if it finds none; in symbols for a problem in symbols.
 
-    One that is not `shown` lacks some verifications, on which nothing rests.
+    If it is not `shown`, some verifications, on which no result depends, are omitted.
     """
     kind = setting.query.kind
     refused = "" if kind in strategy.kinds else f"no way to the kind {kind}"
@@ -148,7 +148,7 @@ def _written(strategy: Strategy, setting: Setting, called: Mapping[str, str] | N
 
 
 def _found(strategy: Strategy, setting: Setting, book: Book, goal: str, steps: tuple[Step, ...]) -> Solution:
-    """Return what a strategy wrote, as a solution that has no answer yet."""
+    """Return the steps that a strategy wrote as a solution that has no answer yet."""
     counted = not setting.unknown and setting.sought is None and KINDS[setting.query.kind].measured(setting.query).whole
     found = Solution(
         strategy.name,
@@ -170,7 +170,7 @@ def _found(strategy: Strategy, setting: Setting, book: Book, goal: str, steps: t
 
 
 def _inverted(setting: Setting, book: Book, goal: str) -> str:
-    """Solved for what is unknown, where the answer to the query is given."""
+    """Write the solution for the unknown where the answer to the query is given, and return its symbol."""
     assert setting.stated is not None
     value, unit = setting.stated.value, book.units.get(goal, "")
     value = radians(value) if unit == DEGREES else value
@@ -185,7 +185,7 @@ def _inverted(setting: Setting, book: Book, goal: str) -> str:
 
 
 def solve_prompt(prompt: str) -> tuple[Solution, Setting]:
-    """The solution of a problem from its text alone, in its own names; raises TextError as `parse_prompt` does."""
+    """Return the solution and setting of a problem from its text alone; TextError as from `parse_prompt`."""
     parsed = parse_prompt(prompt)
     setting = setting_of(parsed)
     if setting.stated != parsed.asked.given:
@@ -196,7 +196,7 @@ def solve_prompt(prompt: str) -> tuple[Solution, Setting]:
 def setting_of(parsed: ParsedPrompt) -> Setting:
     """Return the setting that a prompt describes, with its own symbols.
 
-    If the number asked for is not determined, the setting asks for the result that the prompt states.
+    If the given result does not determine the unknown, the setting asks for that result.
     """
     scene, mentions = parsed.scene, parsed.reading.mentions
     letters = {address: said.rpartition(" ")[2] for address, said in mentions.items() if not said.startswith("the ")}
@@ -219,15 +219,15 @@ def _noun(mention: str) -> str:
 
 
 def _told(book: Book, goal: str, late: AbstractSet[str]) -> list[Step]:
-    """Return the steps that lead to the goal, ordered and merged as the text shows them."""
+    """Return the steps that lead to the goal, ordered and merged for the text."""
     ordered = in_order(_needed(book.steps, goal), book.earliest, late)
     return without_repeats(in_rows(merged(after_what_they_rest_on(ordered, late))))
 
 
 def _needed(steps: list[Step], goal: str) -> list[Step]:
-    """Return the steps that lead to the goal; what gives no name is kept, since what laws say was chosen before.
+    """Return the steps that lead to the goal, and those without results, such as laws and verifications.
 
-    So is what assumptions are verified by.
+    Steps on which a verification depends are kept as well.
     """
     source = {name: step.id for step in steps for name in step.gives}
     kept: set[int] = set()
@@ -242,7 +242,7 @@ def _needed(steps: list[Step], goal: str) -> list[Step]:
 
 
 def _givens(setting: Setting, book: Book, steps: list[Step], goal: str) -> Step:
-    """Return what the solution takes from the text."""
+    """Return the step that lists the numbers the solution takes from the text."""
     used = {name for step in steps for name in step.symbols()} | {goal}
     said: dict[str, str] = {}
     relations: list[Relation] = []
@@ -263,7 +263,7 @@ def _givens(setting: Setting, book: Book, steps: list[Step], goal: str) -> Step:
 
 
 def _renumbered(steps: list[Step]) -> tuple[Step, ...]:
-    """Steps counted from zero."""
+    """Return the steps numbered from zero."""
     place = {step.id: number for number, step in enumerate(steps)}
     return tuple(
         replace(step, id=number, needs=tuple(place[n] for n in step.needs if n in place))

@@ -1,4 +1,4 @@
-"""Only solutions whose data lead to the answer are shown."""
+"""Verification that the data of a solution lead to the answer."""
 
 from collections.abc import Iterator, Mapping
 from math import radians
@@ -9,15 +9,15 @@ from sim2reason.solutions.reverse import forward
 from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.solution import SAME, WELL, Solution
 
-STATED = 1e-5  # relative: how well results hold, of which five digits are stated
+STATED = 1e-5  # relative tolerance of stated results, which have five digits
 WHY = "recomputed from what it states, it does not lead to the answer"
 
 
 def verified(solution: Solution, setting: Setting, earlier: Mapping[str, float] | None = None) -> Solution:
-    """Recompute the answer from the data of a solution; give back one without an answer if that fails, saying why.
+    """Return a solution if its answer is recomputed from its data, else a solution without one and the reason.
 
-    The answer must be the engine's, without a fault, and the numbers that are given must be those of the text and the
-    question, or results of `earlier` parts by name.
+    The recomputed answer must be the engine's, and the given numbers must be those of the text and the question, or
+    results of `earlier` parts by name.
     """
     if solution.answer is None:
         return solution
@@ -43,14 +43,14 @@ def refusal(data: Data, setting: Setting, earlier: Mapping[str, float] | None = 
 
 
 def _misstated(data: Data, values: Mapping[str, float]) -> Iterator[str]:
-    """Yield the stated results that differ from the recomputed ones; two errors may cancel in the answer."""
+    """Yield a message for each stated result that differs from the recomputed one."""
     for name, value in ((name, value) for step in data["steps"] for name, value in step["results"].items()):
         if name in values and abs(values[name] - value) > STATED * abs(value):
             yield f"{name} is {values[name]:.6g}, not {value:.6g}"
 
 
 def named_in_text(setting: Setting) -> dict[str, float]:
-    """Return the numbers that have a name in the text: those of the scene but for the unknown, and of gravitation."""
+    """Return the numbers that have a symbol in the text, without the unknown, and the gravitational constant."""
     pulls = setting.mechanism.attractions
     constants = {"G": pulls[0].constant} if pulls else {}
     givens = setting.lexicon.givens.items()
@@ -58,9 +58,9 @@ def named_in_text(setting: Setting) -> dict[str, float]:
 
 
 def stated_by_question(setting: Setting) -> Iterator[float]:
-    """Yield the numbers that a question itself says, of its moment or of a result, also in radians.
+    """Yield the numbers that a question states, of its moment or its result, also converted to radians.
 
-    Solutions choose names for them. The time of a moment is none of them where it is what is asked for.
+    Solutions choose names for them. The time of a moment is left out if the question asks for it.
     """
     moment, result = setting.query.moment, setting.stated
     numbers = [number for number, _ in moment.stated] if moment is not None else []

@@ -1,1 +1,1 @@
-"""Solutions of problems with several parts: one name for each quantity, and earlier results quoted."""
+"""Solutions of multipart problems, with one name for each quantity and references to earlier results."""

@@ -1,4 +1,4 @@
-"""Solutions of all parts of a problem, in order, with one name for each quantity."""
+"""Solutions of all parts of a problem in order, with one name for each quantity."""
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -23,16 +23,16 @@ from sim2reason.solutions.writing.subscripts import numbered, split
 
 
 def naming_fault(parts: Sequence[Solution]) -> str:
-    """Return the first fault in the names of several parts, in words; empty if there is none.
+    """Return a description of the first inconsistency in the names of several parts; empty if there is none.
 
-    A name has one value and one meaning in all parts, and what is introduced in the same words has the same name. A
-    result that a part recalls is one that the part from which it is recalled leads to, by the same name.
+    A name has one value and one meaning in all parts, and quantities introduced in the same words have the same name. A
+    result that a part recalls must be a result of the cited part, by the same name.
     """
     return next((fault for fault in (*_recalled(parts), *_doubled(parts), *_called_twice(parts))), "")
 
 
 def _recalled(parts: Sequence[Solution]) -> Iterator[str]:
-    """Yield faults: results that a part recalls from a part which does not have them."""
+    """Yield a message for each result that a part recalls from a part which does not have it."""
     for label, part in zip(LABELS, parts, strict=False):
         for step in part.steps:
             if step.kind != EARLIER:
@@ -48,7 +48,7 @@ def _recalled(parts: Sequence[Solution]) -> Iterator[str]:
 
 
 def _doubled(parts: Sequence[Solution]) -> Iterator[str]:
-    """Yield faults: names that have different meanings in two parts."""
+    """Yield a message for each name that has different meanings in two parts."""
     known: dict[str, tuple[str, Solution, str]] = {}
     for label, part in zip(LABELS, parts, strict=False):
         if part.answer is None:
@@ -65,7 +65,7 @@ def _doubled(parts: Sequence[Solution]) -> Iterator[str]:
 
 
 def _called_twice(parts: Sequence[Solution]) -> Iterator[str]:
-    """Yield faults: quantities to which two parts give different names."""
+    """Yield a message for each quantity to which two parts give different names."""
     known: dict[tuple[str, str, str], tuple[str, set[str]]] = {}
     for label, part in zip(LABELS, parts, strict=False):
         own: dict[tuple[str, str, str], set[str]] = {}
@@ -83,10 +83,10 @@ def _same(part: Solution, other: Solution, name: str) -> bool:
 
 
 def consistent(solutions: Sequence[Solution], fixed: Collection[str] = ()) -> list[Solution]:
-    """Return the solutions renamed so that a name means the same in all; names in `fixed`, of the text, are kept.
+    """Return the solutions renamed so that a name means the same in all; `fixed` names of the text are kept.
 
     Numbers that the question states keep their names. A quantity that several parts find has the first of its names
-    that is free, and that no other quantity has in as many parts; where none is, it has a fresh one.
+    that is free, and that no other quantity has in as many parts; otherwise it gets a fresh name.
     """
     solved = [solution for solution in solutions if solution.answer is not None]
     fixed = {*fixed, *(name for solution in solved for name in solution.constants)}
@@ -102,7 +102,7 @@ def consistent(solutions: Sequence[Solution], fixed: Collection[str] = ()) -> li
 
 
 class _Naming:
-    """The assignment of names to quantities."""
+    """The assignment of unique names to the quantities of several parts."""
 
     def __init__(self, solutions: Sequence[Solution], found: Sequence[NamedQuantity], fixed: Collection[str]) -> None:
         self._found = found
@@ -117,14 +117,14 @@ class _Naming:
             self._spoken.append(spoken(" ".join(step.text for step in steps)))
 
     def ordered(self) -> Iterator[NamedQuantity]:
-        """Yield quantities in the order of choice: stated in the question, used in the texts, the others."""
+        """Yield quantities in the order of naming: stated in the question, used in the texts, the others."""
         texts = [q for q in self._found if any(name in self._used[part] for part, name in q.members.items())]
         groups = [q for q in texts if q.stated], [q for q in texts if not q.stated]
         yield from chain(*groups)
         yield from (q for q in self._found if q not in texts)
 
     def named(self, quantity: NamedQuantity) -> str:
-        """Choose a name, which is taken from then on."""
+        """Choose and reserve the name of a quantity, and return it."""
         own = [*dict.fromkeys(quantity.members.values())]
         free = [name for name in own if self._is_free(name, quantity)]
         best = [name for name in free if len(own) == 1 or not self._is_needed(name, quantity)]
@@ -133,7 +133,7 @@ class _Naming:
         return name
 
     def _is_free(self, name: str, quantity: NamedQuantity) -> bool:
-        """Return whether a name is not taken and no part uses it for something else."""
+        """Return whether a name is not taken and no part uses it for another quantity."""
         clash = any(
             name != old and name in self._spoken[part] and not self._is_own(part, name)
             for part, old in quantity.members.items()
@@ -144,20 +144,20 @@ class _Naming:
         return any(q.members.get(part) == name for q in self._found)
 
     def _is_needed(self, name: str, quantity: NamedQuantity) -> bool:
-        """Return whether another quantity has a name in all its parts, at least as many as this one."""
+        """Return whether another quantity has this name in all its parts, at least as many as this one."""
         least = [*quantity.members.values()].count(name)
         others = (q for q in self._found if q is not quantity and {*q.members.values()} == {name})
         return any(len(q.members) >= least for q in others)
 
 
-LAWS = frozenset({"newton", "constraint", "normal"})  # kinds of steps whose equations hold by themselves
+LAWS = frozenset({"newton", "constraint", "normal"})  # kinds of steps whose equations are laws
 SOLVED = frozenset({"solve"})
 
 
 def shortened(solution: Solution, earlier: Sequence[tuple[str, Solution]]) -> Iterator[Solution]:
-    """Yield the solution of a later part with steps that need fewer intermediate results, the shortest first.
+    """Yield variants of the solution of a later part with fewer intermediate results, the shortest first.
 
-    A name that follows from one law of the part, with what is given and what earlier parts found, needs no other.
+    A name that one law of the part gives, from given numbers and results of earlier parts, needs no other steps.
     """
     known = {*known_from(solution, earlier, whole=True)}
     found = [solution]
@@ -194,7 +194,7 @@ def _direct(solution: Solution, place: int, known: Collection[str]) -> Solution 
 
 
 def _is_direct(step: Step, before: Sequence[Step]) -> bool:
-    """Return whether a step takes its result from one law already."""
+    """Return whether a step already takes its result from a single law."""
     labels = {label for held in before if held.kind in LAWS for label, _ in DEFINED.findall(held.text)}
     used = referred(step.text)
     return len(used) == 1 and used[0] in labels
@@ -209,7 +209,7 @@ def _solved(name: str, law: Relation, solution: Solution) -> Expression | None:
 
 
 def _step(step: Step, result: Relation, source: Step, law: Relation, formula: Expression, solution: Solution) -> Step:
-    """Return the step that gives a name by one law, which it calls by its label if it has one."""
+    """Return the step that computes a name from one law, cited by its label if it has one."""
     labels = {text: label for label, text in DEFINED.findall(source.text)}
     label = labels.get(law.latex()[1:-1], "")
     name, relation = step.gives[0], Relation(Symbol(step.gives[0]), formula, "result", result.unit)
@@ -223,10 +223,10 @@ UNCLEAR = "the names of its parts are not clear"
 
 
 def in_sequence(settings: Sequence[Setting], solutions: Sequence[Solution], *, whole: bool = False) -> list[Solution]:
-    """Return a solution of each part that starts from earlier answers; `solutions` are those of the parts alone.
+    """Return a solution of each part that uses earlier answers; `solutions` are those of the separate parts.
 
-    With `whole`, a solution also starts from all results of earlier solutions, as a reader of these can. Names mean the
-    same in all parts; if they do not, no part has an answer.
+    With `whole`, a solution also uses the intermediate results of earlier solutions. Names mean the same in all parts;
+    if that is impossible, no part has an answer.
     """
     fixed = {given.symbol for setting in settings for given in setting.lexicon.givens.values()}
     found, earlier = list[Solution](), list[tuple[str, Solution]]()
@@ -247,7 +247,7 @@ def in_sequence(settings: Sequence[Setting], solutions: Sequence[Solution], *, w
 
 
 def _without_repeated_checks(solution: Solution, earlier: Sequence[tuple[str, Solution]]) -> Solution:
-    """Return a solution that does not say again that strings stay taut, as an earlier part has said of the motion."""
+    """Return a solution without the step, already in an earlier part, that strings stay taut."""
     if not any(step.kind == TAUT for _, other in earlier for step in other.steps):
         return solution
     kept = [step for step in solution.steps if step.kind != TAUT]
@@ -264,7 +264,7 @@ def _accepted(solution: Solution, setting: Setting, known: Mapping[str, float]) 
 
 
 def results_of(earlier: Iterable[Solution], *, whole: bool = False) -> dict[str, float]:
-    """Return the numbers by name that a later part may start from: answers, with `whole` all results on the way."""
+    """Return results by name that a later part may use: answers, with `whole` also intermediate results."""
     found: dict[str, float] = {}
     for solution in earlier:
         if solution.answer is None:

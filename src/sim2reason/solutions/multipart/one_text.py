@@ -17,9 +17,9 @@ REFERENCES = EARLIER, "equations", "reference", "givens"
 
 
 def in_one_text(settings: Sequence[Setting], solutions: Sequence[Solution]) -> tuple[list[Solution], list[Step]]:
-    """Return the solutions with names that mean the same in all, and all their steps but those of givens.
+    """Return the solutions with names that mean the same in all, and all their steps except the givens.
 
-    Where the names are not clear, the solutions have no answer, and there are no steps.
+    If a name is ambiguous, the solutions have no answer, and there are no steps.
     """
     parts, steps = in_sequence(settings, solutions, whole=True), list[Step]()
     if any(part.answer is None for part in parts) or not _have_clear_names(parts):
@@ -42,7 +42,7 @@ def _have_clear_names(parts: Sequence[Solution]) -> bool:
 
 
 def _placed(step: Step, places: Mapping[int, int], source: Mapping[str, int]) -> Step:
-    """Return a step with its place in the whole text, and those of the steps that it needs there."""
+    """Return a step renumbered for the whole text, with the new numbers of the steps that it needs."""
     needs = {places[need] for need in step.needs if need in places}
     needs |= {source[name] for name in (*step.symbols(), *referred(step.text)) if name in source}
     text = step.text.replace(AS_IN_PART.format(LABELS[0]), SO)

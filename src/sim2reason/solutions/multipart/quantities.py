@@ -9,7 +9,7 @@ from sim2reason.solutions.algebra.trees import Tree, tree
 from sim2reason.solutions.solution import Solution, Step
 from sim2reason.solutions.writing.subscripts import split
 
-SAME = 1e-9  # relative: two values that differ by less are those of one quantity
+SAME = 1e-9  # relative tolerance within which two values belong to one quantity
 LABEL = re.compile(r"\(\d+\)")
 _INTRODUCED = re.compile(r"\$(?P<name>[^$=]+)\$ (?P<words>(?:[^$;.]|\.(?=\d))+?)(?= and \$|, and |[;.]|$)")
 _SAID = re.compile(r"be the [a-z]+ ")
@@ -17,19 +17,19 @@ _SAID = re.compile(r"be the [a-z]+ ")
 
 @dataclass
 class NamedQuantity:
-    """A quantity with its names in several parts, by the number of the part."""
+    """A quantity with its name in each part, by the index of the part."""
 
     members: dict[int, str]
     stem: str
     value: float | None
-    unit: str | None  # None where the text says no value
+    unit: str | None  # None if the text states no value
     stated: bool
     meaning: str = ""
     formula: Tree | None = None
     places: list[tuple[int, int]] = field(default_factory=list[tuple[int, int]])
 
     def has(self, other: "NamedQuantity") -> bool:
-        """Return whether another one has the same value and unit, as far as known, and is stated if this one is."""
+        """Return whether another quantity has the same value and unit, as far as known, and is stated alike."""
         if self.stated != other.stated or (None not in (self.unit, other.unit) and self.unit != other.unit):
             return False
         if self.value is None or other.value is None:
@@ -38,7 +38,7 @@ class NamedQuantity:
 
 
 def quantities(solutions: Sequence[Solution], fixed: Collection[str]) -> list[NamedQuantity]:
-    """Return all quantities in the order of the parts; names in `fixed` mean the same in all and are left out."""
+    """Return all quantities in the order of the parts; `fixed` names mean the same in all and are left out."""
     found: list[NamedQuantity] = []
     for part, solution in enumerate(solutions):
         own = [*_own(part, solution, {*fixed, *solution.constants})]
@@ -59,7 +59,7 @@ def quantities(solutions: Sequence[Solution], fixed: Collection[str]) -> list[Na
 
 
 def meanings(solution: Solution) -> dict[str, str]:
-    """Return the meanings of names, in words, that a solution introduces by a sentence."""
+    """Return the meanings, in words by name, that a solution introduces in its text."""
     found: dict[str, str] = {}
     for step in solution.steps:
         if step.kind == "names" or step.text.startswith("Let $"):
@@ -74,9 +74,9 @@ def introduced(text: str) -> list[str]:
 
 
 def agree(name: str, one: str, other: str) -> bool:
-    """Return whether two introductions of a name, in words, can be those of one quantity.
+    """Return whether two introductions of a name, in words, can describe one quantity.
 
-    They are the same, or both speak of the body after which it is called: a_A *of blocks A and B*, and *of block A*.
+    They are equal, or both mention the body in its subscript: a_A *of blocks A and B*, and *of block A*.
     """
     body = split(name)[1]
     if not one or not other or one == other:
@@ -94,7 +94,7 @@ def unit_of(name: str, solution: Solution) -> str:
 
 
 def names_of(steps: Sequence[Step]) -> Iterator[str]:
-    """Yield the names of quantities in steps, some more than once; labels of equations are none."""
+    """Yield the names of quantities in steps, some more than once; labels of equations are excluded."""
     for step in steps:
         yield from step.symbols()
         held = step.integration
@@ -106,7 +106,7 @@ def names_of(steps: Sequence[Step]) -> Iterator[str]:
 
 
 def _own(part: int, solution: Solution, fixed: Collection[str]) -> Iterator[tuple[str, NamedQuantity]]:
-    """Yield the names of a part's quantities, beginning with those that the question states."""
+    """Yield each name of a part with its quantity, beginning with those that the question states."""
     words, given = meanings(solution), {name for step in solution.steps for name in step.gives}
     for name in dict.fromkeys([*solution.stated, *names_of(solution.steps)]):
         if name not in fixed:

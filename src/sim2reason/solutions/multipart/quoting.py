@@ -1,4 +1,4 @@
-"""References to equations of earlier parts, and equations that later parts do not use."""
+"""References to equations of earlier parts, and the removal of equations that later parts do not use."""
 
 import re
 from collections.abc import Callable, Container, Iterator, Mapping, Sequence
@@ -11,16 +11,16 @@ from sim2reason.solutions.multipart.renaming import spoken
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.solution import Relation, Solution, Step
 
-DEFINED = re.compile(r"(\(\d+\))(?: [A-Z](?:[^$()]|\$[^$]*\$)*?:)? \$([^$]+)\$")  # what it is about may have formulas
+DEFINED = re.compile(r"(\(\d+\))(?: [A-Z](?:[^$()]|\$[^$]*\$)*?:)? \$([^$]+)\$")  # a heading may contain formulas
 _INTEGRATED = re.compile(r"(?P<problem>.*Numerical integration until .*?,? gives )(?P<ends>\$.*)", re.DOTALL)
-SO = "So "  # before a result that follows from the last equations
-AS_IN_PART = "As in part ({}), "  # the same for a result whose equations an earlier part has solved
+SO = "So "  # opening of a result that follows from the last equations
+AS_IN_PART = "As in part ({}), "  # opening of a result whose equations an earlier part has solved
 SENTENCE = re.compile(r"(?<=\.) (?=[A-Z(])")
 _LIST = re.compile(r"(?P<noun>[A-Z][a-z]*?)s?: (?P<items>\$.*)\.")
 
 
 def quoting(parts: Sequence[Solution]) -> list[Solution]:
-    """Return the solutions of all parts as one text: unique equation labels, and no sentence that an earlier part has.
+    """Return the solutions of all parts as one text with unique equation labels and no repeated sentence.
 
     Integrated phases keep all their steps, unless there is but one. An initial-value problem that an earlier part
     states is not stated again.
@@ -37,13 +37,13 @@ class _Told:
     """A record of the equations, labels and sentences of earlier parts."""
 
     def __init__(self) -> None:
-        self._labels: dict[str, str] = {}  # of equations, in LaTeX
-        self._parts: dict[str, str] = {}  # in which part a label, or an equation without one, stands
+        self._labels: dict[str, str] = {}  # by equation, in LaTeX
+        self._parts: dict[str, str] = {}  # the part of each label, or of an equation without one
         self._sentences: set[str] = set()
-        self._problems: dict[str, str] = {}  # in which part an initial-value problem stands
+        self._problems: dict[str, str] = {}  # the part of each initial-value problem
 
     def added(self, label: str, part: Solution) -> Solution:
-        """Return a part without sentences of earlier parts, and add its own to the record."""
+        """Return a part without sentences of earlier parts, and add its own sentences to the record."""
         names = self._relabelled(label, part.steps)
         steps = [labelled(step, names) for step in part.steps]
         several = part.phases and any(step.integration is not None for step in steps)
@@ -67,7 +67,7 @@ class _Told:
         return names
 
     def _without(self, steps: Sequence[Step], values: Container[str]) -> list[Step]:
-        """Return steps without what was said before; equations among it on which they rest are quoted."""
+        """Return steps without repeated statements; repeated equations that they use are cited."""
         dropped = [step for step in steps if self._is_said(step, values)]
         left = [step for step in steps if step not in dropped]
         labels = {label for step in left for label in referred(step.text)}
@@ -82,7 +82,7 @@ class _Told:
         return [*given, *recalled, *quoted, *(step for step in rest if step.kind != EARLIER and step.text)]
 
     def _solved_again(self, step: Step) -> Step:
-        """Return a step that gives the left side of an equation of an earlier part, with a reference to that part."""
+        """Return a step that repeats the left side of an earlier equation, with a reference to that part."""
         first = self._parts.get(step.relations[0].latex()) if step.relations else None
         if first is None or not step.text.startswith(SO):
             return step
@@ -96,12 +96,12 @@ class _Told:
         return replace(step, text=f"The numerical integration of part ({first}) also gives {match['ends']}")
 
     def _is_said(self, step: Step, values: Container[str]) -> bool:
-        """Return whether an earlier part has the same step; steps that give results are recalled instead."""
+        """Return whether an earlier part has the same step, for steps without results."""
         results = any(name in values for name in step.gives)
         return not results and step.kind not in ("givens", EARLIER) and step.text in self._sentences
 
     def _shorter(self, step: Step, used: set[str]) -> Step:
-        """Return a step without sentences said before and without equations that no step refers to."""
+        """Return a step without repeated sentences and without equations that no step cites."""
         sentences = SENTENCE.split(step.text)
         if step.kind == "names":
             kept = [said for sentence in sentences if (said := self._new(sentence))]
@@ -116,11 +116,11 @@ class _Told:
         return replace(step, text=text, relations=tuple(r for r in step.relations if r.latex() in text))
 
     def _new(self, sentence: str) -> str:
-        """Return a sentence without the items that an earlier one introduced; empty if none is left."""
+        """Return a sentence without the introductions that were made before; empty if none is left."""
         return "" if sentence in self._sentences else shortened(sentence, lambda item: item not in self._sentences)
 
     def _quoted(self, dropped: Sequence[Step], left: Sequence[Step]) -> Iterator[Step]:
-        """Yield a step for each earlier part whose equations are used by the remaining steps."""
+        """Yield a step for each earlier part whose equations the remaining steps use."""
         text = " ".join(step.text for step in left)
         defined = {label for label, _ in DEFINED.findall(text)}
         labels = [*dict.fromkeys(label for label in LABEL.findall(text) if label not in defined)]
@@ -139,7 +139,7 @@ class _Told:
 
 
 def shortened(sentence: str, kept: Callable[[str], bool]) -> str:
-    """Return a sentence that lists introductions with only the `kept` ones; empty if none is left."""
+    """Return a sentence that lists introductions, reduced to the `kept` ones; empty if none is left."""
     match = _LIST.fullmatch(sentence)
     if match is None:
         return sentence
@@ -158,14 +158,14 @@ def _said(part: str, labels: Sequence[str], plain: Sequence[Relation]) -> str:
 
 
 def labelled(step: Step, names: Mapping[str, str]) -> Step:
-    """Return a step with other labels, in its text outside of formulas and among what it gives."""
+    """Return a step with new equation labels, in its text and among its results."""
     parts = step.text.split("$")
     parts[::2] = [LABEL.sub(lambda match: names.get(match[0], match[0]), part) for part in parts[::2]]
     return replace(step, text="$".join(parts), gives=tuple(names.get(name, name) for name in step.gives))
 
 
 def referred(text: str) -> list[str]:
-    """Return the labels to which a text refers."""
+    """Return the equation labels that a text cites."""
     begun = {match.start(1) for match in DEFINED.finditer(text)}
     return [match[0] for match in LABEL.finditer(text) if match.start() not in begun]
 
@@ -177,7 +177,7 @@ def _items(text: str) -> list[str]:
 
 
 def _quoted_equations(step: Step) -> Iterator[tuple[str, Relation]]:
-    """Yield the labels and equations of a step."""
+    """Yield the label and the relation of each labelled equation of a step."""
     by_formula = {relation.latex()[1:-1]: relation for relation in step.relations}
     yield from ((label, by_formula[formula]) for label, formula in DEFINED.findall(step.text) if formula in by_formula)
 
@@ -187,7 +187,7 @@ _UNLABELLED = frozenset(("constraint", "combine"))  # kinds of steps of one equa
 
 
 def without_unused(solution: Solution, accepted: Callable[[Solution], bool]) -> Solution:
-    """Return a part without the equations to which it does not refer and without which the check accepts it.
+    """Return a solution without the equations that it does not cite and that the check does not need.
 
     A solution that recalls no earlier result is returned unchanged.
     """
@@ -201,9 +201,9 @@ def without_unused(solution: Solution, accepted: Callable[[Solution], bool]) -> 
 
 
 def _shorter(steps: tuple[Step, ...], accepted: Callable[[tuple[Step, ...]], bool]) -> tuple[Step, ...]:
-    """Return the steps without idle equations, from the last one on.
+    """Return the steps without unused equations, starting from the last step.
 
-    The text does not say on which equations those in numbers rest; where some remain, so do all before them.
+    The text does not state which equations those in numbers use; if some remain, all before them remain as well.
     """
     for place in reversed(range(len(steps))):
         headed = _HEADING.match(steps[place].text)
@@ -227,13 +227,13 @@ def _stated_equations(step: Step) -> list[str]:
 
 
 def _without(step: Step, equation: str) -> Step:
-    """Return a step without one of its equations; one without a text if none is left."""
+    """Return a step without one of its equations; its text may then be empty."""
     text = " ".join(each for each in _stated_equations(step) if each != equation)
     return replace(step, text=text, relations=tuple(r for r in step.relations if r.latex() in text))
 
 
 def _tidied(steps: Sequence[Step]) -> tuple[Step, ...]:
-    """Return the steps that have a text, with givens and introductions of the names in use, and new labels."""
+    """Return the steps that have a text, with the givens and introductions in use, and new labels."""
     left = [step for step in steps if step.text]
     rest = [step for step in left if step.kind not in ("givens", "names")]
     used = spoken(" ".join(step.text for step in rest)) | {*names_of(rest)}
@@ -244,7 +244,7 @@ def _tidied(steps: Sequence[Step]) -> tuple[Step, ...]:
 
 
 def _in_use(step: Step, used: frozenset[str]) -> Step:
-    """Return a step that introduces names, given or in words, without those that are not in use."""
+    """Return a step of givens or introductions reduced to the names in use; other steps unchanged."""
     if step.kind == "givens":
         return given_for(step, used)
     if step.kind != "names":

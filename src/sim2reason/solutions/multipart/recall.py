@@ -1,4 +1,4 @@
-"""Results of earlier parts in place of the steps that lead to them again."""
+"""Results of earlier parts in place of the steps that would derive them again."""
 
 import re
 from collections.abc import Collection, Container, Iterable, Iterator, Mapping, Sequence
@@ -13,16 +13,16 @@ from sim2reason.solutions.setting import joined
 from sim2reason.solutions.solution import CHECKS, Relation, Solution, Step, with_unit
 
 EARLIER = "earlier part"
-SPOKEN = "verify", "extreme", "meaning"  # kinds of steps that give no name, but the reason for one that does
+SPOKEN = "verify", "extreme", "meaning"  # kinds of steps that give no name, but a reason for one
 _ONE = {f"{several} are ": f"{one} is " for several, one in SINGULAR.items()}
 _NAMED = re.compile(r"\$(\\?[A-Za-z]+(?:_(?:\{(?:[^{}$]|\{[^{}$]*\})*\}|\w))?)\$")
 
 
 def starting_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *, whole: bool = False) -> Solution:
-    """Return a solution that recalls results of earlier parts, by their labels, instead of deriving them.
+    """Return a solution that cites results of earlier parts, by their labels, instead of deriving them.
 
-    Names mean the same in all parts. With `whole`, all that the solutions of earlier parts find on their way counts,
-    too. It stays as it is where no step can be left out, and where its motion is integrated.
+    Names mean the same in all parts. With `whole`, intermediate results of earlier parts are used as well. The solution
+    is unchanged if no step can be left out, or if it integrates the motion.
     """
     known = known_from(solution, earlier, whole=whole)
     said = {text for _, other in earlier for text in _introduced(other)} if whole else set[str]()
@@ -42,7 +42,7 @@ def starting_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *
 
 
 def _verified_earlier(solution: Solution, earlier: Sequence[tuple[str, Solution]]) -> list[Step]:
-    """Return a step that refers to the first earlier part which verifies the same of the motion; none if none does."""
+    """Return a step, in a list, that cites the first part with the same verification; empty if none has."""
     reasons = {step.text for step in solution.steps if _is_reason(step)}
     parts = (label for label, other in earlier if any(step.text in reasons for step in other.steps))
     label = next(parts, "")
@@ -51,7 +51,7 @@ def _verified_earlier(solution: Solution, earlier: Sequence[tuple[str, Solution]
 
 
 def known_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *, whole: bool) -> dict[str, str]:
-    """Return the names of a solution that earlier parts find, each with the label of the first part that does."""
+    """Return the names that earlier parts compute, each with the label of the first such part."""
     known: dict[str, str] = {}
     for name in _found(solution):
         source = next((label for label, other in earlier if _tells(other, name, solution, whole=whole)), None)
@@ -61,9 +61,9 @@ def known_from(solution: Solution, earlier: Sequence[tuple[str, Solution]], *, w
 
 
 def kept_steps(solution: Solution, known: Collection[str], said: Container[str] = ()) -> list[Step]:
-    """Return the steps from known names to the goal, and those that verify assumptions, unless `said`.
+    """Return the steps from known names to the goal, and those that verify assumptions, unless in `said`.
 
-    All where no step can be left out.
+    All steps are returned if none can be left out.
     """
     if solution.answer is None or any(step.integration is not None for step in solution.steps):
         return [*solution.steps]
@@ -89,13 +89,13 @@ def renumbered(steps: Sequence[Step]) -> tuple[Step, ...]:
 
 
 def _found(solution: Solution) -> list[str]:
-    """Return the names of intermediate results."""
+    """Return the names of the intermediate results of a solution."""
     given = {name for step in solution.steps for name in step.gives}
     return [name for name in solution.values if name in given and name != solution.goal]
 
 
 def _tells(other: Solution, name: str, solution: Solution, *, whole: bool) -> bool:
-    """Return whether another solution gives a name with the same value, with `whole` also on its way."""
+    """Return whether another solution has the same value as its answer, or with `whole` as any result."""
     if other.answer is None or name not in other.values:
         return False
     found = other.goal == name or (whole and any(name in step.gives and step.kind != EARLIER for step in other.steps))
@@ -105,7 +105,7 @@ def _tells(other: Solution, name: str, solution: Solution, *, whole: bool) -> bo
 
 
 def _without(step: Step, known: Collection[str], goal: str) -> Step:
-    """Return a step that lists several results without those that are known."""
+    """Return a step that lists several results, reduced to those that are not known."""
     *_, formulas = ["", *re.findall(r"(?:\$[^$]*\$(?:, | and )?)+(?=\.$)", step.text)]
     told = re.findall(r"\$[^$]*\$", formulas)
     rest = [n for n, name in enumerate(step.gives) if name not in known or name == goal]
@@ -124,16 +124,16 @@ def _without(step: Step, known: Collection[str], goal: str) -> Step:
 
 
 def _introductions(solution: Solution, kept: Sequence[Step], said: Container[str]) -> list[Step]:
-    """Return the steps that define symbols of the kept steps, as *let x be the displacement*, unless `said`."""
+    """Return the steps, not in `said`, that introduce symbols of the kept steps."""
     symbols = with_bases((name for step in kept for name in step.symbols()), solution)
     found = (step for step in solution.steps if step.kind == "names" and step not in kept and step.text not in said)
     return [step for step in found if symbols & {*_NAMED.findall(step.text)}]
 
 
 def with_bases(names: Iterable[str], solution: Solution) -> set[str]:
-    """Return names, and also their bases without subscripts for names that the solution does not introduce.
+    """Return names, and for names that the solution does not introduce also their bases without subscripts.
 
-    x_1 is a value of the x that a text introduces; but if a text introduces a_1, it is another acceleration than a.
+    x_1 is a value of the x that a text introduces; but if a text introduces a_1, it is a different acceleration from a.
     """
     found = {*names}
     own = {name for step in solution.steps if step.kind == "names" for name in introduced(step.text)}
@@ -141,15 +141,15 @@ def with_bases(names: Iterable[str], solution: Solution) -> set[str]:
 
 
 def _introduced(solution: Solution) -> Iterator[str]:
-    """Yield the texts of steps, of introductions only those of names in use."""
+    """Yield the texts of all steps; introductions only if one of their names is used."""
     used = with_bases(names_of(solution.steps), solution)
     yield from (step.text for step in solution.steps if step.kind != "names" or used & {*introduced(step.text)})
 
 
 def _needed(solution: Solution, known: Collection[str], said: Container[str]) -> list[Step]:
-    """Return the steps that lead to the goal if some names are known, and their reasons, unless `said`.
+    """Return the steps that lead to the goal from the known names, and their reasons, unless in `said`.
 
-    Why no other collision comes before the moment has to be shown with all that it rests on.
+    The steps that exclude earlier collisions are kept with everything on which they depend.
     """
     last = next((step for step in reversed(solution.steps) if solution.goal in step.gives), None)
     orders = [step for step in solution.steps if step.kind == ORDER and step.text not in said]
@@ -166,7 +166,7 @@ def _needed(solution: Solution, known: Collection[str], said: Container[str]) ->
 
 
 def _reasons(solution: Solution, kept: Collection[int], known: Collection[str], said: Container[str]) -> Iterator[Step]:
-    """Yield the steps that give reasons for the kept steps, unless they are `said`."""
+    """Yield the steps, not in `said`, that give reasons for the kept steps."""
     for step in solution.steps:
         needs = [held for need in step.needs if (held := solution.steps[need]).gives]
         apart = [held for held in needs if held.id not in kept]
@@ -180,13 +180,13 @@ def _is_reason(step: Step) -> bool:
 
 
 def _is_known(needed: Step, step: Step, known: Collection[str]) -> bool:
-    """Return whether all names that a step takes from another one are known; labels of equations never are."""
+    """Return whether all names that a step takes from another step are known."""
     taken = {*needed.gives} & {*step.symbols()} or {*needed.gives}
     return bool(taken) and taken <= {*known}
 
 
 def given_for(step: Step, used: Collection[str]) -> Step:
-    """Return the step of givens, reduced to those in use."""
+    """Return the step of givens, reduced to the names in use."""
     said = re.findall(r"\$[^$]*\$(?: \([a-z]+\))?", step.text)
     if len(said) != len(step.relations):
         return step
@@ -199,7 +199,7 @@ def given_for(step: Step, used: Collection[str]) -> Step:
 
 
 def _recalled(known: Mapping[str, str], solution: Solution) -> list[Step]:
-    """Return steps that recall results, one for each earlier part."""
+    """Return the steps that cite known results, one for each earlier part."""
     steps: list[Step] = []
     for label in sorted({*known.values()}):
         names = [name for name in known if known[name] == label]

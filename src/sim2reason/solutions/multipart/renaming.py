@@ -1,4 +1,4 @@
-"""Renamed quantities in solutions, and times numbered in the order of the text."""
+"""Renaming of quantities in solutions, and numbering of times in the order of the text."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -17,13 +17,13 @@ TOKEN = re.compile(
     rf"|(?P<dots>\\dd?ot)\{{(?P<inside>{_NAME})\}}(?P<below>{_BELOW})?"
     rf"|(?P<measure>d(?=\\vartheta))|(?P<name>{_NAME})"
 )
-"""What stands in a formula: words, names below dots, the d of an integral, and names."""
+"""Tokens of a formula: upright words, names below dots, the differential d of an integral, and names."""
 
 Names = Mapping[str, str]
 
 
 def renamed(solution: Solution, names: Names) -> Solution:
-    """Return a solution with other names; those that `names` lacks are kept."""
+    """Return a solution with names replaced; names missing from the mapping are kept."""
     names = {old: new for old, new in names.items() if old != new}
     if not names:
         return solution
@@ -43,7 +43,7 @@ def renamed(solution: Solution, names: Names) -> Solution:
 
 
 def in_formula(held: Expression, names: Names) -> Expression:
-    """Return a formula with other names."""
+    """Return a formula with names replaced."""
     if isinstance(held, Symbol):
         return Symbol(names.get(held.name, held.name))
     if not is_dataclass(held):
@@ -59,12 +59,12 @@ def in_formula(held: Expression, names: Names) -> Expression:
 
 
 def in_relation(relation: Relation, names: Names) -> Relation:
-    """Return an equation with other names."""
+    """Return a relation with names replaced."""
     return replace(relation, left=in_formula(relation.left, names), right=in_formula(relation.right, names))
 
 
 def in_text(text: str, names: Names, relations: Sequence[Relation] = ()) -> str:
-    """Return a text with other names in its formulas; those of given relations are written anew."""
+    """Return a text with names replaced in its formulas; formulas of given relations are typeset again."""
     parts = text.split("$")
     for number in range(1, len(parts), 2):
         part = _in_latex(parts[number], names)
@@ -100,7 +100,7 @@ def _inside(value: "Expression | tuple[object, ...]", names: Names) -> object:
 
 
 def renamed_step(step: Step, names: Names) -> Step:
-    """Return a step with other names; those that `names` lacks are kept."""
+    """Return a step with names replaced; names missing from the mapping are kept."""
     held = step.integration
     return replace(
         step,
@@ -112,7 +112,7 @@ def renamed_step(step: Step, names: Names) -> Step:
 
 
 def _integration(held: Integration, names: Names) -> Integration:
-    """Return an initial-value problem with other names."""
+    """Return an initial-value problem with names replaced."""
 
     def of(name: str) -> str:
         return names.get(name, name)
@@ -161,11 +161,11 @@ def _plain(name: str) -> str:
     return marked(base, mark)
 
 
-TIME = re.compile(r"t(?:_(?:(\d)|\{(\d+)\}))?")  # with its number, if it has one
+TIME = re.compile(r"t(?:_(?:(\d)|\{(\d+)\}))?")  # the symbol t, with its number if it has one
 
 
 def times_in_sequence(solution: Solution) -> Solution:
-    """Return a solution whose times have the same names as before, in the order of the steps that give them."""
+    """Return a solution whose times t₁, t₂, … are numbered in the order of the steps that give them."""
     given = [name for step in solution.steps for name in step.gives if TIME.fullmatch(name)]
     names = [name for name in dict.fromkeys(given) if name not in solution.stated]
     exchanged = dict(zip(names, sorted(names, key=_number), strict=True))

@@ -1,1 +1,1 @@
-"""Motions whose equations are linear: springs along lines, harmonic oscillations and normal modes."""
+"""Motions with linear equations: springs along lines, harmonic oscillations and normal modes."""

@@ -1,4 +1,4 @@
-"""Places of greatest speed, kinetic friction, and comparisons with static friction at turning points."""
+"""Positions of greatest speed, kinetic friction, and comparisons with static friction at turning points."""
 
 from collections.abc import Sequence
 
@@ -19,16 +19,16 @@ from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import UnsolvedError
 from sim2reason.solutions.writing.unit_latex import METRES, NEWTONS
 
-STILL = 1e-6  # relative, and m
+STILL = 1e-6  # relative tolerance of times, and tolerance of positions in m
 
 
 def swings_on(setting: Setting) -> bool:
-    """Return whether the motion in question goes on after it first comes to rest, by the engine."""
+    """Return whether the motion, by the engine, continues after it first comes to rest."""
     return any(0.0 < held.start < setting.time * (1.0 - STILL) for held in setting.motion.segments)
 
 
 def fastest_place(way: SingleWay, seen: float) -> Symbol:
-    """Find where the net force is zero; UnsolvedError unless the engine has `seen` the greatest speed there."""
+    """Write the position of zero net force, m; UnsolvedError unless it is the position `seen` of greatest speed."""
     motion, name = way.motion, way.name
     (i,) = motion.free
     stiffness, load = motion.stiffness(i, i), motion.load(i)
@@ -53,7 +53,7 @@ def fastest_place(way: SingleWay, seen: float) -> Symbol:
 
 
 def _tell_on_the_way(way: SingleWay, name: Symbol) -> None:
-    """Verify that the body passes this place before the motion in question ends."""
+    """Verify that the body passes the position of greatest speed before the motion in question ends."""
     book, end = way.book, _end(way)
     if end is None or book.is_hidden(end) or book.is_hidden(name):
         return
@@ -68,7 +68,7 @@ def _tell_on_the_way(way: SingleWay, name: Symbol) -> None:
 
 
 def _end(way: SingleWay) -> Expression | None:
-    """Return the place at which the motion in question ends, if the question states one."""
+    """Return the position, m, at which the motion in question ends; None if the question states none."""
     moment = way.query.moment
     if isinstance(moment, NaturalLength):
         return way.relaxed_place(moment.name)
@@ -76,7 +76,7 @@ def _end(way: SingleWay) -> Expression | None:
 
 
 def friction_words(way: LinearWay, motion: LinearMotion) -> str:
-    """Return which way kinetic friction acts, in words; and on whom, unless that is what moves with `motion`."""
+    """Return the direction of kinetic friction in words, with the bodies unless only the mover of `motion` slides."""
     ways: dict[str, list[str]] = {}
     for face, side in motion.laws.rough.items():
         found = [(k, radius) for k, radius in sliding_coordinates(motion.mechanism, face) if motion.ratios[k]]
@@ -90,13 +90,13 @@ def friction_words(way: LinearWay, motion: LinearMotion) -> str:
 
 
 def first_friction(way: LinearWay, motion: LinearMotion) -> str:
-    """Return the sentence, without its full stop, about kinetic friction in motion that begins from rest."""
+    """Return a clause, without a full stop, about kinetic friction in motion that begins from rest."""
     acts = f"friction acts {friction_words(way, motion)}"
     return f"Until {way.who(motion.free[0])} first comes to rest, {acts}" if swings_on(way.setting) else capital(acts)
 
 
 def swing_words(way: LinearWay, held: Harmonic, number: int) -> list[str]:
-    """Return sentences about the friction in one half oscillation and the motion in it; the first has the number 0."""
+    """Return sentences about friction and motion in a half-oscillation; the first has `number` 0."""
     motion = held.motion
     assert isinstance(motion, LinearMotion)
     who, acts = way.who(motion.free[0]), friction_words(way, motion)
@@ -114,7 +114,7 @@ def swing_words(way: LinearWay, held: Harmonic, number: int) -> list[str]:
 
 
 def _size(motion: LinearMotion) -> str:
-    """Return how large kinetic friction is, after a space, where it acts on one body alone."""
+    """Return the kinetic friction in LaTeX after a space; empty unless it acts on one body alone."""
     faces = [face for face, side in motion.laws.rough.items() if side]
     if len(faces) != 1:
         return ""
@@ -125,31 +125,31 @@ LIMIT = 1.0 + 1e-9
 
 
 class RestChecks:
-    """A writer of comparisons of forces with the greatest static friction, in numbers; no result rests on them."""
+    """A writer of comparisons of forces with the greatest static friction; no result depends on them."""
 
     def __init__(self, way: LinearWay) -> None:
-        """Take the way to an answer, into whose book comparisons are written."""
+        """Take the motion model of an answer, into whose builder comparisons are written."""
         self._way, self._setting, self._book = way, way.setting, way.book
-        self._most = ""  # the symbol of the greatest static friction on what moves, once it is written
+        self._most = ""  # symbol of the greatest static friction on the moving body, once it is written
 
     # ---- of what moves
 
     def moves_on(self, motion: LinearMotion, number: int, said: str) -> bool:
-        """Write that friction does not hold the system where places are counted from; `said` is what it does then.
+        """Write that static friction cannot hold the body at a position, with the consequence `said`.
 
-        The place is the start or, if the `number` is not zero, that turning point. Return whether numbers are known;
-        where they are not, it is written in the end.
+        The position is the start or, if `number` is not zero, that turning point. Return whether the forces are known;
+        otherwise the comparison is written at the end.
         """
         where = "here" if number else "at the start"
         return self._compare(motion, number, where, ("exceeds", f"so {said}"), moves=True)
 
     def stays(self, motion: LinearMotion, number: int) -> None:
-        """Write that friction holds the system at a turning point, from which places are counted."""
+        """Write that static friction holds the body at the turning point with this number."""
         said = "is less than", f"so {self._way.who(motion.free[0])} stays at rest"
         self._compare(motion, number, "here", said, moves=False)
 
     def hidden(self, motion: LinearMotion) -> bool:
-        """Return whether one of the forces that are compared hangs on what is unknown."""
+        """Return whether one of the compared forces depends on the unknown."""
         return any(
             map(self._book.is_hidden, (without_friction(motion), motion.greatest_friction(motion.free[0]).factored()))
         )
@@ -202,10 +202,10 @@ class RestChecks:
         return [(face, own) for face, own in sticks if own is not None and not motion.ratios[own]]
 
     def others_rest(self, motion: LinearMotion, places: Sequence[Expression], later: float) -> None:
-        """Write of each body that friction holds against springs how much friction that takes at most.
+        """Write the greatest static friction that holds each resting body against its springs.
 
-        The free coordinate has been at the `places` and turns back next at the value `later`; springs pull hardest
-        where it turns back.
+        The free coordinate has turned back at the `places`, m, and turns back next at the value `later`; springs pull
+        hardest at turning points.
         """
         for face, own in self.resting(motion):
             needed = [
@@ -245,7 +245,7 @@ class RestChecks:
         step.close()
 
     def _holding(self, motion: LinearMotion, face: int, own: int, place: Polynomial) -> Polynomial | None:
-        """Return the friction that holds a body while the free coordinate is at a place; None if strings pull, too."""
+        """Return the friction that holds a body at a value of the free coordinate; None if strings pull as well."""
         laws, (i,) = motion.laws, motion.free
         row = laws.newton(own)
         known = {f"q{k}": NIL for k in motion.ratios}

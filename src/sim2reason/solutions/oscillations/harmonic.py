@@ -1,4 +1,4 @@
-"""One harmonic oscillation about a place of balance: where it is, how fast, and when; written as it is needed."""
+"""A harmonic oscillation about an equilibrium: its positions, speeds and times, written as needed."""
 
 from dataclasses import dataclass
 from math import atan2, cos, pi, sin, sqrt
@@ -17,18 +17,18 @@ from sim2reason.solutions.writing.subscripts import split
 from sim2reason.solutions.writing.unit_latex import ANGULAR_SPEED, KILOGRAMS, METRES, RADIANS, STIFFNESS
 
 HALF = Number(0.5)
-LITTLE = 1e-7  # of the amplitude
+LITTLE = 1e-7  # tolerance relative to the amplitude
 
 
 @dataclass
 class Harmonic:
-    """x(t) = x₀ (1 − cos ωt) + (v₀/ω) sin ωt, `name` being x, of a system with one free coordinate."""
+    """A harmonic oscillation x(t) = x₀ (1 − cos ωt) + (v₀/ω) sin ωt, with `name` the symbol of x."""
 
     book: Book
     motion: LinearMotion | RelativeMotion
     name: Symbol
     first: Polynomial  # v₀
-    like: "Harmonic | None" = None  # one with the same mass and stiffness, which is told already
+    like: "Harmonic | None" = None  # an earlier one with the same mass and stiffness, already written
 
     @property
     def _free(self) -> int:
@@ -38,7 +38,7 @@ class Harmonic:
 
     @cached_property
     def numbers(self) -> tuple[float, float, float]:
-        """ω, x₀ and v₀, as the engine has them."""
+        """Return ω in rad/s, x₀ in m and v₀ in m/s by the engine."""
         m, k = (float(self.motion.matrix(entry)[0, 0]) for entry in ("mass", "stiffness"))
         at = self.motion.givens
         if k <= 0.0:
@@ -46,24 +46,24 @@ class Harmonic:
         return sqrt(k / m), self.motion.load(self._free).value(at) / k, self.first.value(at)
 
     def where(self, time: float) -> tuple[float, float]:
-        """Return the place and the speed at a time, s."""
+        """Return the displacement, m, and the velocity, m/s, at a time in s."""
         omega, rest, fast = self.numbers
         c, s = cos(omega * time), sin(omega * time)
         return rest * (1.0 - c) + fast / omega * s, rest * omega * s + fast * c
 
     @property
     def size(self) -> float:
-        """The amplitude, m."""
+        """Return the amplitude, m."""
         omega, rest, fast = self.numbers
         return sqrt(rest**2 + (fast / omega) ** 2)
 
     def turns(self, time: float) -> bool:
-        """Return whether it is at a turning point then."""
+        """Return whether a time, s, is a turning point."""
         omega, _, _ = self.numbers
         return abs(self.where(time)[1]) <= LITTLE * omega * self.size
 
     def instants(self, until: float) -> list[float]:
-        """Return when it turns back, or passes the place of balance, up to a time."""
+        """Return the times, s, up to a limit of turning points and passages through equilibrium."""
         omega, rest, fast = self.numbers
         begun = atan2(fast / omega, -rest)
         found = [(begun + n * pi / 2.0) / omega for n in range(-4, int(2.0 * omega * until / pi) + 5)]
@@ -72,21 +72,21 @@ class Harmonic:
     # ---- in writing
 
     def swinging(self, angle: Expression) -> Expression:
-        """Return the displacement at a phase ωt."""
+        """Return the formula of the displacement at a phase ωt."""
         formula: Expression = self.rest - self.rest * Call("cos", angle) if self.rest != ZERO else ZERO
         if self.begun.negative:
             return formula - (-self.begun) * Call("sin", angle)
         return formula + self.begun * Call("sin", angle) if self.begun != ZERO else formula
 
     def displacement(self, time: Symbol) -> Expression:
-        """Return the displacement at a time, about the place of balance if it neither begins there nor at rest."""
+        """Return the displacement at a time, in amplitude form if it begins neither at rest nor in equilibrium."""
         if ZERO in (self.begun, self.rest):
             return self.swinging(self.rate * time)
         return self.rest + self.amplitude * Call("cos", self.rate * time - self._first_phase)
 
     @cached_property
     def mass(self) -> Expression:
-        """Return the effective mass of all that moves with the free coordinate, in kg."""
+        """Return the effective mass of all bodies that move with the free coordinate, in kg."""
         if self.like is not None:
             return self.like.mass
         held = self.motion.mass(self._free, self._free)
@@ -97,7 +97,7 @@ class Harmonic:
 
     @cached_property
     def stiffness(self) -> Expression:
-        """Return the effective stiffness: the decrease of the net force for each metre, in N/m."""
+        """Return the effective stiffness, in N/m: the decrease of the net force per unit displacement."""
         if self.like is not None:
             return self.like.stiffness
         held = self.motion.stiffness(self._free, self._free)
@@ -111,7 +111,7 @@ class Harmonic:
 
     @cached_property
     def rate(self) -> Symbol:
-        """ω = √(k/M)."""
+        """Return the symbol of the angular frequency ω = √(k/M), rad/s."""
         if self.like is not None:
             return self.like.rate
         formula = Root(self.stiffness / self.mass)
@@ -121,7 +121,7 @@ class Harmonic:
 
     @cached_property
     def rest(self) -> Expression:
-        """The place of balance; zero where it begins there."""
+        """Return the equilibrium displacement x₀, m; zero if the motion begins there."""
         load = self.motion.load(self._free)
         if not load:
             return ZERO
@@ -146,23 +146,23 @@ class Harmonic:
 
     @property
     def balance(self) -> str:
-        """Return what the place of balance is called."""
+        """Return the phrase for the position of zero net force."""
         return "the point at which the net force is zero" if self._rubs else "the equilibrium position"
 
     @cached_property
     def begun(self) -> Expression:
-        """v₀/ω."""
+        """Return the coefficient v₀/ω, m."""
         return self.first.expression() / self.rate if self.first else ZERO
 
     def speed_at(self, place: Expression) -> Expression:
-        """Return how fast it is at a place."""
+        """Return the speed, m/s, at a position."""
         if place == self.rest:
             return self.rate * self.amplitude
         return self.rate * Root(Power(self.amplitude, 2) - Power(place - self.rest, 2))
 
     @cached_property
     def amplitude(self) -> Expression:
-        """Return the amplitude, in m, from the place where the net force is zero."""
+        """Return the amplitude, in m, from the position of zero net force."""
         if ZERO in (self.begun, self.rest):
             only = self.rest if self.begun == ZERO else self.begun
             return only if self.book.value(only) >= 0.0 else -only
@@ -172,14 +172,14 @@ class Harmonic:
         return self.book.told("amplitude", "The amplitude is", name, formula, METRES)
 
     def turning(self, time: float) -> Expression:
-        """Return the place where it turns back at a time."""
+        """Return the position, m, of the turning point at a time, s."""
         beyond = self.where(time)[0] > self.numbers[1]
         formula = self.rest + self.amplitude if beyond else self.rest - self.amplitude
         collected = fraction(formula)
         return formula if collected.below else collected.above.expression()
 
     def angle_of_turning(self, time: float) -> Expression:
-        """Return the phase ωt where it turns back."""
+        """Return the phase ωt of the turning point at a time, s."""
         if ZERO in (self.begun, self.rest):
             formula: Expression = ZERO
             shift = 0.0 if self.begun == ZERO else 0.5
@@ -189,7 +189,7 @@ class Harmonic:
         return formula + Number(turns + shift) * PI if turns + shift else formula
 
     def angle_of(self, place: Expression, time: float) -> Expression:
-        """Return the phase ωt at which it is at a place, at about a time."""
+        """Return the phase ωt at which a position is reached near a time, s."""
         omega = self.numbers[0]
         apart = place - self.rest
         if self.rest == place == ZERO:
@@ -219,14 +219,14 @@ class Harmonic:
         return found + Number(best[2]) * PI if best[2] else found
 
     def _share(self, one: Expression, other: Expression) -> Expression:
-        """Return one over the other, with at most one sign."""
+        """Return the quotient of two formulas, with at most one minus sign."""
         sizes = [part if self.book.value(part) >= 0.0 else -part for part in (one, other)]
         held = sizes[0] / sizes[1]
         return held if self.book.value(one) * self.book.value(other) >= 0.0 else -held
 
     @cached_property
     def _first_phase(self) -> Symbol:
-        """φ of x = x₀ + A cos(ωt − φ)."""
+        """Return the symbol of the phase φ in x = x₀ + A cos(ωt − φ)."""
         formula: Expression = Call("arctan", self.begun / -self.rest)
         if self.numbers[1] > 0.0:
             formula = formula + PI

@@ -1,7 +1,7 @@
-"""A motion whose equations are linear with constant coefficients: M ẍ + K x = Q, in the symbols of the text.
+"""Linear equations of motion with constant coefficients, M ẍ + K x = Q, in the symbols of the text.
 
-x are how far some of the coordinates have come, the *free* ones; strings and grips bind the others to them at fixed
-ratios. By Lagrange's equations every term follows from those ratios and Newton's laws, in which tensions then cancel.
+x are the displacements of the *free* coordinates; strings and rolling contacts tie the other coordinates to these at
+fixed ratios. By Lagrange's equations every term follows from the ratios and Newton's laws; tensions cancel.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -24,8 +24,8 @@ from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.writing.lexicon import UnreadError
 from sim2reason.solutions.writing.steps import UnsolvedError
 
-STILL = 1e-9
-SOUND = 1e-7  # relative: how well the equations must agree with the engine's
+STILL = 1e-9  # tolerance of ratios and direction components
+SOUND = 1e-7  # relative tolerance of accelerations to the engine's
 
 
 def nonlinear(mechanism: Mechanism) -> str:
@@ -40,23 +40,23 @@ def nonlinear(mechanism: Mechanism) -> str:
 
 
 def fewest_free(mechanism: Mechanism) -> int:
-    """Return how many coordinates are free at least: where all strings are taut, and nothing slips."""
+    """Return the least number of free coordinates: all strings taut, and no contact slipping."""
     rough = [face for face in mechanism.faces if face.friction]
     return len(mechanism.coordinates) - len(mechanism.constraints) - len(rough)
 
 
 def _on_a_ring(mechanism: Mechanism) -> bool:
-    """Return whether all that moves are beads on one level circle, which only springs along it pull."""
+    """Return whether all moving bodies are beads on one level circle, pulled only by springs along it."""
     level = all(c.kind == "hinge" and abs(c.axis[2]) > 1.0 - STILL for c in mechanism.coordinates)
     alone = all(len(body.coordinates) == 1 and body.parent is None for body in mechanism.bodies)
     return level and alone and not mechanism.faces and all(line.circle for line in mechanism.lines)
 
 
 class LinearMotion:
-    """The equations of one segment; `wanted` are the coordinates that are best free, the most important first."""
+    """The equations of one segment; the coordinates in `wanted` are preferred as free ones, in this order."""
 
     def __init__(self, setting: Setting, segment: Segment, wanted: Sequence[int]) -> None:
-        """UnsolvedError where the equations are of another kind; UnreadError where a number is."""
+        """Derive the equations; raise UnsolvedError or UnreadError if they are not linear in the text's numbers."""
         if reason := nonlinear(setting.mechanism):
             raise UnsolvedError(reason)
         self.setting, self.segment, self.mechanism = setting, segment, setting.mechanism
@@ -69,7 +69,7 @@ class LinearMotion:
 
     @classmethod
     def of(cls, setting: Setting, segment: Segment, wanted: tuple[int, ...]) -> "LinearMotion":
-        """Return the same for all questions about one motion that want the same coordinates free."""
+        """Return the equations of a segment, cached for all questions with the same preferred free coordinates."""
         if setting.scene is not setting.study.scene:
             return cls(setting, segment, wanted)
         key = "linear motion", setting.lexicon, segment.start, wanted
@@ -79,7 +79,7 @@ class LinearMotion:
         return found
 
     def counted_from(self, begin: Expression, at: float) -> "LinearMotion":
-        """The same with the place of the only free coordinate counted from `begin`, a symbol or zero, `at` m off."""
+        """Return the equations with the free coordinate counted from `begin`, a symbol whose value is `at`, m."""
         found = copy(self)
         found.begin = NIL if begin == ZERO else Polynomial.of(begin)
         found.givens = self.givens | dict.fromkeys(begin.symbols(), at)
@@ -89,13 +89,13 @@ class LinearMotion:
 
     @cached_property
     def rows(self) -> list[Row]:
-        """Return what binds coordinates: taut strings, and grips."""
+        """Return the constraints that tie coordinates together: taut strings and rolling contacts."""
         acting = self.segment.found.mode.acting
         found = [self.laws.string(place) for place in range(len(self.laws.lines)) if acting[place]]
         return found + [self.laws.rolling(face) for face, side in self.laws.rough.items() if side == 0]
 
     def _matrix(self) -> Array:
-        """Return the rows in numbers; UnsolvedError where a ratio hangs on what the text says."""
+        """Return the constraint matrix, (rows, coordinates); UnsolvedError unless its entries are plain numbers."""
         size = len(self.mechanism.coordinates)
         found = np.zeros((len(self.rows), size))
         for number, row in enumerate(self.rows):
@@ -107,11 +107,11 @@ class LinearMotion:
         return found
 
     def _free(self) -> list[int]:
-        """Return the free coordinates, so that all others hang on them; also `ratios`."""
+        """Return the free coordinates, and set `ratios` of all coordinates to them."""
         size, matrix = len(self.mechanism.coordinates), self._matrix()
         order = [*dict.fromkeys(self._wanted), *(k for k in range(size) if k not in self._wanted)]
         pivots: dict[int, int] = {}
-        for k in reversed(order):  # what is least wanted hangs on the others
+        for k in reversed(order):  # the least wanted coordinates depend on the others
             left = [n for n in range(len(matrix)) if n not in pivots.values() and abs(matrix[n, k]) > STILL]
             if not left:
                 continue
@@ -128,20 +128,20 @@ class LinearMotion:
         return free
 
     def ratio(self, k: int, i: int) -> float:
-        """Return how fast a coordinate changes as a free one does."""
+        """Return the rate of a coordinate relative to that of a free one."""
         return self.ratios[k].get(i, 0.0)
 
     # ---- equations
 
     def _bound(self) -> Mapping[str, Polynomial]:
-        """Accelerations in terms of those of the free coordinates."""
+        """Return the accelerations of all coordinates in terms of those of the free ones."""
         return {
             f"q{k}": total(_unknown(i).scaled(part) for i, part in parts.items()) for k, parts in self.ratios.items()
         }
 
     @cached_property
     def _sums(self) -> list[tuple[Polynomial, Polynomial]]:
-        """Forces and inertia along each free coordinate: Newton's laws times the ratios, so that tensions cancel."""
+        """Return force and inertia along each free coordinate: Newton's laws weighted so that tensions cancel."""
         bound, found = self._bound(), list[tuple[Polynomial, Polynomial]]()
         laws = {k: self.laws.newton(k) for k in self.ratios if self.ratios[k]}
         normal = {f"N{face}": self.normal(face) for face, side in self.laws.rough.items() if side}
@@ -163,16 +163,16 @@ class LinearMotion:
         return found
 
     def mass(self, i: int, j: int) -> Polynomial:
-        """Of the matrix M."""
+        """Return the entry of the mass matrix M for two free coordinates."""
         return self._sums[self.free.index(i)][1].coefficient(_unknown_name(j))
 
     @cached_property
     def springs(self) -> list[int]:
-        """The numbers of the springs that anything stretches."""
+        """Return the indices of the springs that the motion stretches."""
         return [n for n in self.laws.springs if any(self.drawn(n, i) for i in self.free)]
 
     def drawn(self, number: int, i: int) -> float:
-        """Return how fast a line grows as a free coordinate changes; UnsolvedError where that is no plain number."""
+        """Return the rate of a line's length per rate of a free coordinate; UnsolvedError if it is not a number."""
         found = 0.0
         for k in self.ratios:
             part = self.ratio(k, i)
@@ -184,11 +184,11 @@ class LinearMotion:
         return found if abs(found) > STILL else 0.0
 
     def stiffness(self, i: int, j: int) -> Polynomial:
-        """Of the matrix K."""
+        """Return the entry of the stiffness matrix K for two free coordinates."""
         return self._matched("stiffness", i, j)
 
     def damping(self, i: int, j: int) -> Polynomial:
-        """Of the matrix of the dashpots."""
+        """Return the entry of the damping matrix for two free coordinates."""
         return self._matched("damping", i, j)
 
     def _matched(self, what: str, i: int, j: int) -> Polynomial:
@@ -197,7 +197,7 @@ class LinearMotion:
         return total(of(n).scaled(part) for n, part in pairs if part)
 
     def steady(self, i: int) -> Polynomial:
-        """Return the forces along a free coordinate but those of springs."""
+        """Return the forces along a free coordinate except those of springs."""
         return self._sums[self.free.index(i)][0].without([f"S{n}" for n in self.laws.springs])
 
     def friction(self, i: int) -> Polynomial:
@@ -205,7 +205,7 @@ class LinearMotion:
         return self._rubbed(i, self.laws.coefficient)
 
     def greatest_friction(self, i: int) -> Polynomial:
-        """Return the greatest friction at rest along a free coordinate, with the coefficients of static friction."""
+        """Return the greatest static friction along a free coordinate."""
         return self._rubbed(i, self.laws.static_coefficient)
 
     def _rubbed(self, i: int, coefficient: Callable[[int], Polynomial]) -> Polynomial:
@@ -217,25 +217,25 @@ class LinearMotion:
         return found
 
     def load(self, i: int) -> Polynomial:
-        """Q: all forces along a free coordinate where places are counted from, by default at the start."""
+        """Return Q, the net force along a free coordinate at its origin, by default the start."""
         pulls = [(n, self.drawn(n, i)) for n in self.springs]
         found = self.steady(i) - total(self.laws.stiffness(n) * self.laws.strain(n).scaled(p) for n, p in pulls if p)
         return found - self.stiffness(i, i) * self.begin if self.begin else found
 
     @property
     def damped(self) -> bool:
-        """Return whether there are dashpots."""
+        """Return whether a spring has a dashpot."""
         return any(self.laws.damping(n) for n in self.springs)
 
     # ---- in numbers
 
     def matrix(self, entry: str) -> Array:
-        """``mass``, ``stiffness`` or ``damping``, (n, n)."""
+        """Return the ``mass``, ``stiffness`` or ``damping`` matrix as numbers, (n, n)."""
         of = getattr(self, entry)
         return np.array([[of(i, j).value(self.givens) for j in self.free] for i in self.free])
 
     def _check(self) -> None:
-        """That the segment begins as the engine's does."""
+        """Raise UnsolvedError unless the initial accelerations agree with those of the engine."""
         if not self.free:
             return
         mass, load = self.matrix("mass"), np.array([self.load(i).value(self.givens) for i in self.free])
@@ -250,7 +250,7 @@ class LinearMotion:
 
 
 def _tried(make: Callable[[], LinearMotion]) -> "LinearMotion | UnsolvedError | UnreadError":
-    """Return what is made, or why it can't be."""
+    """Return the equations, or the error that prevents them."""
     try:
         return make()
     except (UnsolvedError, UnreadError) as error:

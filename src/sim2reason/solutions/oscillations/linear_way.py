@@ -1,4 +1,4 @@
-"""The way to one answer about a motion whose equations are linear: whatever moves, moves with the free coordinates."""
+"""Answers about motions with linear equations, in terms of the free coordinates."""
 
 from abc import abstractmethod
 
@@ -24,31 +24,31 @@ TIMES = {0.5: "half as far as", 2.0: "twice as far as", 1.0: "as far as"}
 
 
 class LinearWay(Way):
-    """Goals in terms of where the free coordinates are, and how fast they change."""
+    """A motion model that expresses all quantities by the values and rates of the free coordinates."""
 
     def __init__(self, setting: Setting, book: Book) -> None:
-        """Where a greatest value is asked for, `greatest` is the quantity whose value it is."""
+        """Take a question; `greatest` is the quantity whose greatest value it asks for, if any."""
         super().__init__(setting, book)
         self.greatest = greatest_target(setting)
         self.target = self.greatest or self.target
 
     @abstractmethod
     def place(self, i: int) -> Polynomial:
-        """Return how far a free coordinate has come at the moment."""
+        """Return the displacement of a free coordinate at the moment."""
 
     @abstractmethod
     def speed(self, i: int) -> Polynomial:
-        """Return how fast it changes."""
+        """Return the rate of a free coordinate at the moment."""
 
     @abstractmethod
     def acceleration(self, i: int) -> Polynomial:
-        """Return how fast that does."""
+        """Return the second time derivative of a free coordinate at the moment."""
 
     # ---- the motion
 
     @cached_property
     def segment(self) -> Segment:
-        """The only segment up to the moment, or to the greatest value; UnsolvedError where there are several."""
+        """Return the only segment up to the moment or greatest value; UnsolvedError if there are several."""
         until = time_of_greatest(self.setting) if self.greatest else self.setting.time
         held = [s for s in self.setting.motion.segments if s.start < until or s.start == 0.0]
         if len(held) > 1:
@@ -57,12 +57,12 @@ class LinearWay(Way):
 
     @property
     def motion(self) -> LinearMotion | RelativeMotion:
-        """Return what goals are answered from: all of it, or what is left where a momentum is kept."""
+        """Return the equations that give the answer: the whole motion, or a relative motion."""
         return self.linear
 
     @cached_property
     def linear(self) -> LinearMotion:
-        """Its equations; free is best what the question is about."""
+        """Return the equations of the motion, with the bodies of the question preferred as free coordinates."""
         moment = self.query.moment
         names = [name for name in (moment.subjects if moment is not None else ()) if name in self.mechanism.body]
         heavy = [k for body in self.mechanism.bodies if body.mass for k in self.moving([body.name])]
@@ -73,11 +73,11 @@ class LinearWay(Way):
 
     @property
     def newton(self) -> Newton:
-        """The laws, with the forces of springs."""
+        """Return Newton's laws with the forces of springs."""
         return self.motion.laws
 
     def rate(self, kind: str, k: int) -> Polynomial:
-        """By the free coordinates."""
+        """Return the acceleration, velocity or displacement of a coordinate by those of the free ones."""
         of = {"a": self.acceleration, "v": self.speed, "s": self.place}[kind]
         return total(of(i).scaled(part) for i, part in self.motion.ratios[k].items())
 
@@ -86,7 +86,7 @@ class LinearWay(Way):
         return self.first_speeds.get(i, NIL)
 
     def introduce(self, names: dict[int, Symbol], origin: str = "") -> None:
-        """Say what the free coordinates are called, from which `origin`, and how far the others go."""
+        """Write the names of the free coordinates, their `origin`, and the ratios of other displacements."""
         step = self.book.open("names")
         step.say(f"Let {joined(self._moved(names))}{origin}.")
         bound: list[str] = []
@@ -106,7 +106,7 @@ class LinearWay(Way):
         step.close()
 
     def _moved(self, names: dict[int, Symbol]) -> list[str]:
-        """Return what each name is; those of bodies that move the same way in one clause."""
+        """Return a clause for each name; bodies that move in the same direction share one."""
         ways: dict[tuple[str, bool], list[int]] = {}
         for i in names:
             ways.setdefault((self.towards(i), self._turns_by_itself(i)), []).append(i)
@@ -119,12 +119,12 @@ class LinearWay(Way):
         return said
 
     def _turns_by_itself(self, k: int) -> bool:
-        """Return whether a coordinate is that of a rim."""
+        """Return whether a coordinate is the rotation of a rim."""
         own = self.mechanism.coordinates[k]
         return own.kind == "hinge" and not self.moving([own.body]).count(k)
 
     def who(self, k: int) -> str:
-        """Return what moves with a coordinate, in words."""
+        """Return the phrase for the body, or its rim, that moves with a coordinate."""
         called = self.setting.called(self.mechanism.coordinates[k].body)
         return f"the rim of {called}" if self._turns_by_itself(k) else called
 
@@ -140,14 +140,14 @@ class LinearWay(Way):
     # ---- bodies on a ring
 
     def _ring(self, body: str) -> int | None:
-        """Return the hinge that leads a bead round."""
+        """Return the hinge coordinate that moves a bead round a ring; None for other bodies."""
         own = self.moving([body])
         if len(own) == 1 and self.mechanism.coordinates[own[0]].kind == "hinge":
             return own[0]
         return None
 
     def vector(self, kind: str, body: str) -> Components:
-        """On a ring along it; an acceleration has a part towards its centre, too."""
+        """Return the components of a vector; on a ring along it, for an acceleration also towards its centre."""
         k = self._ring(body)
         if k is None:
             return Way.vector(self, kind, body)
@@ -159,7 +159,7 @@ class LinearWay(Way):
         return along, NIL, NIL
 
     def _inward(self, k: int) -> Polynomial:
-        """v²/r."""
+        """Return the centripetal acceleration v²/r on a ring."""
         radius = self.newton.read(lambda m, f: _radius(f.center(m.coordinates[k].body).gradient[k]))
         fast = self.rate("v", k)
         if len(fast.terms) != 1 or len(radius.terms) != 1:
@@ -169,7 +169,7 @@ class LinearWay(Way):
         return fast * fast * over
 
     def component(self, kind: str, body: str, way: Vector) -> Polynomial:
-        """On a ring none."""
+        """Return the component of a vector along a direction; UnsolvedError on a ring."""
         if self._ring(body) is not None:
             raise UnsolvedError("a component on a ring")
         return Way.component(self, kind, body, way)
@@ -180,19 +180,19 @@ class LinearWay(Way):
         return self.mechanism.lines.index(self.mechanism.line[line])
 
     def growth(self, kind: str, line: str) -> Polynomial:
-        """By how much a line has grown, or how fast it does."""
+        """Return the increase of a line's length, or its rate."""
         number = self._number(line)
         of = {"v": self.speed, "s": self.place}[kind]
         parts = [(i, self.motion.drawn(number, i)) for i in self.motion.free]
         return total(of(i).scaled(part) for i, part in parts if part)
 
     def spring(self, what: str, line: str) -> Polynomial:
-        """Return a number of a spring."""
+        """Return a parameter of a spring, such as its stiffness."""
         found: Polynomial = getattr(self.newton, what)(self._number(line))
         return found
 
     def stretching(self, line: str) -> list[int]:
-        """Return the coordinates with which the length of a line changes."""
+        """Return the coordinates on which the length of a line depends."""
         gradient = set[int]()
         for piece in self._start.pieces(self.mechanism.line[line]):
             gradient |= {k for k, part in piece.along.items() if abs(float(part)) > STILL}
@@ -202,7 +202,7 @@ class LinearWay(Way):
     # ---- forces
 
     def force(self, kind: str, name: str) -> Symbol:
-        """From Newton's law of one body, once its acceleration is known."""
+        """Return the symbol of a force from Newton's law of one body, once its acceleration is known."""
         if self.target is None or self.goal is None:
             raise UnsolvedError(f"no {kind} of {name}")
         asked = self.goal.force(self.target, self.setting)
@@ -212,7 +212,7 @@ class LinearWay(Way):
         return self._from(row, asked, kind, name)
 
     def _alone(self, asked: str, letters: str) -> Row | None:
-        """Return the shortest law with a force, and with no other one of such letters."""
+        """Return the shortest law that contains a force, and no other force of the given letters."""
         rows = [self.newton.newton(k) for k in self.motion.ratios]
         if asked.startswith("N"):
             rows = [self.newton.normal(int(asked[1:]))]
@@ -224,7 +224,7 @@ class LinearWay(Way):
 
     @cached_property
     def _pulled(self) -> Row | None:
-        """Of a tension that is asked about over a time, the law of a body on which it acts with its weight alone."""
+        """Return the law of a body on which only a tension and its weight act, for a question about the tension."""
         if self.target is None or self.goal is None or not self.goal.throughout:
             return None
         asked = self.goal.force(self.target, self.setting)
@@ -232,12 +232,12 @@ class LinearWay(Way):
 
     @property
     def gaining(self) -> list[int]:
-        """The coordinates of that body."""
+        """Return the coordinates of the body whose law gives the tension."""
         names = self._pulled.inertia.names() if self._pulled is not None else ()
         return sorted(int(name[1:]) for name in names if name[0] == "q" and name[1:].isdigit())
 
     def impulse(self, line: str) -> Symbol | None:
-        """Of a tension, by the momentum that a body gains from it and its weight."""
+        """Write the impulse of a tension from the change in momentum of a body, and return its symbol."""
         del line
         row, target, goal = self._pulled, self.target, self.goal
         if row is None or target is None or goal is None:
@@ -259,12 +259,12 @@ class LinearWay(Way):
         return found.symbol
 
     def work(self, line: str, body: str) -> Symbol | None:
-        """Of a tension, by the kinetic energy that a body gains from all that acts on it."""
+        """Write the work of a tension from the change in kinetic energy of a body, and return its symbol."""
         del line
         return tension_work(self, self.motion.laws.springs, body)
 
     def clock(self) -> Symbol:
-        """Return the time of the moment; by default nothing takes one."""
+        """Return the time of the moment; by default raise UnsolvedError."""
         raise UnsolvedError("no way to what adds up over a time")
 
     def _from(self, row: Row, asked: str, kind: str, name: str) -> Symbol:

@@ -1,4 +1,4 @@
-"""Bodies on a level table at one spring, and where they are fastest."""
+"""Bodies attached to a single spring on a level table, and their greatest speed."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -23,7 +23,7 @@ PARTS = "stiffness", "length"
 
 
 def lone_spring(m: Mechanism) -> Elastic | None:
-    """The law of a single spring from a fixed point that acts on a single body; None where something else acts."""
+    """Return the law of the only spring, from a fixed point to the only body; None for other mechanisms."""
     other = m.faces or m.forces or m.attractions or m.burns or m.meetings or m.feet
     slides = all(c.kind == "slide" and abs(c.axis[2]) < LEVEL for c in m.coordinates)
     if len(m.lines) != 1 or len(m.bodies) != 1 or len(m.coordinates) != 2 or other or not slides:
@@ -34,7 +34,7 @@ def lone_spring(m: Mechanism) -> Elastic | None:
 
 
 def ends(m: Mechanism) -> tuple[float, float]:
-    """From the fixed end of the spring to the body at the start, along the coordinates."""
+    """Return the vector, m, from the fixed end of the spring to the body at the start, along the coordinates."""
     frames, through = start(m), m.lines[0].through
     fixed, free = sorted(through, key=lambda site: m.site[site].body is not None)
     apart = minus(frames.site(free).place, frames.site(fixed).place)
@@ -43,38 +43,38 @@ def ends(m: Mechanism) -> tuple[float, float]:
 
 
 def length(m: Mechanism) -> float:
-    """Of the spring at the start, m."""
+    """Return the length of the spring at the start, m."""
     return hypot(*ends(m))
 
 
 def quantity_of(setting: Setting) -> str:
-    """Return the quantity that is asked about, be it for its greatest value; empty for a time."""
+    """Return the quantity that is asked for, or whose greatest value is; empty for a time."""
     target = greatest_target(setting) if isinstance(setting.query, StretchQuery) else setting.query.target
     return target.quantity if target is not None else ""
 
 
 class LoneSpring:
-    """Its numbers in the symbols of the text."""
+    """The parameters of a body on a single spring, in the symbols of the text."""
 
     def __init__(self, setting: Setting, book: Book) -> None:
-        """UnreadError where a number is no simple function of those in the text."""
+        """Read the parameters; raise UnreadError if one is not a simple function of the numbers in the text."""
         self.setting, self.book = setting, book
         self.apart = [self.read(lambda m, n=n: ends(m)[n]) for n in (0, 1)]
         self.stiffness, self.natural = (self.read(lambda m, of=of: getattr(m.lines[0].law, of)) for of in PARTS)
         self.mass = self.read(lambda m: m.bodies[0].mass)
 
     def read(self, number: Callable[[Mechanism], float]) -> Expression:
-        """Return a number of the mechanism."""
+        """Return a formula for a number of the mechanism."""
         return self.setting.lexicon.of(number).expression()
 
     @cached_property
     def length(self) -> Symbol:
-        """At the start."""
+        """Write the initial length of the spring, m, and return its symbol."""
         said, name = "The initial length of the spring is", self.book.fresh(r"\ell", "1")
         return self.book.told("length", said, name, length_of(self.apart), METRES)
 
     def answer(self, way: Way, turned: Callable[[Expression], Expression]) -> Symbol:
-        """Write the answer, unless it has a name; `turned` gives its formula the sign or the component asked for."""
+        """Write the answer and return its symbol; `turned` gives its formula the sign or component asked for."""
         method, said = way
         along: Expression = getattr(self, method)()
         formula, quantity = turned(along), quantity_of(self.setting)
@@ -91,7 +91,7 @@ HALF = Number(0.5)
 
 @dataclass(frozen=True, slots=True)
 class Launch:
-    """A body that is launched across a spring, with its velocity and with what writes its conserved quantities.
+    """A body launched across a spring, with its velocity and the writer of its conserved quantities.
 
     `kept` returns the energy, in J, and the angular momentum per unit of mass, in m²/s.
     """
@@ -102,10 +102,10 @@ class Launch:
 
 
 def passed_words(launch: Launch, step: Writing) -> str:
-    """Return that a greatest value is taken at the natural length, and why that is passed; empty for no greatest value.
+    """Return a sentence that the speed is greatest at the natural length, and why that is passed.
 
     Raises:
-        UnsolvedError: nothing shows that it is passed.
+        UnsolvedError: no argument shows that it is passed.
     """
     query = launch.body.setting.query
     if not isinstance(query, StretchQuery):
@@ -116,7 +116,7 @@ def passed_words(launch: Launch, step: Writing) -> str:
 
 
 def _why_passed(launch: Launch, step: Writing, query: StretchQuery) -> str:
-    """Return why the spring passes its natural length before it is stretched, or compressed, the most."""
+    """Return why the spring passes its natural length before its greatest extension or compression."""
     body, (u, v) = launch.body, launch.velocity
     book, (x, y) = body.book, body.apart
     outward, known = x * u + y * v, not (book.is_hidden(body.length) or book.is_hidden(body.natural))
@@ -148,9 +148,9 @@ def _why_passed(launch: Launch, step: Writing, query: StretchQuery) -> str:
 def _passes(
     book: Book, step: Writing, sides: tuple[Expression, Expression], relation: str, begins: str, ends: str
 ) -> str:
-    """Return that the spring passes its natural length, as it `begins` short or long and `ends` otherwise.
+    """Return a sentence that the spring passes its natural length, from its initial and final states.
 
-    A `relation` in LaTeX says that the first of two `sides` is larger, which shows the beginning.
+    A `relation` in LaTeX states that the first of two `sides` is larger, which gives the initial state.
     """
     if not any(map(book.is_hidden, sides)):
         exceeds(book, step, *sides)

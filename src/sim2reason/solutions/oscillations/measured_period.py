@@ -1,4 +1,4 @@
-"""What a question about a period asks for, once the angular frequency is known."""
+"""The final step of questions about a period, from the angular frequency."""
 
 from sim2reason.questions.period_words import PeriodQuery
 from sim2reason.solutions.algebra.expressions import Expression, Number, Symbol
@@ -10,7 +10,7 @@ TWO = Number(2.0)
 
 
 def measured_period(book: Book, query: PeriodQuery, rate: Expression, said: str = "The period is") -> Symbol:
-    """Write the last step from an angular frequency, rad/s, to what is asked: that itself, f = ω/2π, or T = 2π/ω."""
+    """Write the angular frequency, f = ω/2π or T = 2π/ω that is asked for, from ω in rad/s; return its symbol."""
     if query.measure == "angular frequency" and isinstance(rate, Symbol):
         return rate
     if query.measure == "angular frequency":

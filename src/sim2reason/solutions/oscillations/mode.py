@@ -1,4 +1,4 @@
-"""One normal mode, and sums of modes over time."""
+"""A normal mode, and sums of modes as functions of time."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
@@ -11,20 +11,20 @@ UNNAMED = Symbol("q")
 
 @dataclass
 class Mode:
-    """One mode: λ, how much each free coordinate takes part, and what the start excites."""
+    """A normal mode: its λ = ω², its shape, and its excitation by the initial state."""
 
     number: int
-    square: Expression  # λ; zero where nothing drives it back
-    first: int = 0  # the free coordinate that moves the most, and by 1
+    square: Expression  # λ; zero without a restoring force
+    first: int = 0  # the free coordinate of the largest share, which is 1
     shape: list[Expression] = field(default_factory=list[Expression])
-    name: Symbol = UNNAMED  # of its coordinate ξ
+    name: Symbol = UNNAMED  # symbol of its coordinate ξ
     rate: Symbol | None = None
-    rise: Expression = ZERO  # of ξ at the place of balance, q/µλ; of a mode without λ its acceleration q/µ
-    swing: Expression = ZERO  # p/µω; of a mode without λ its speed p/µ
+    rise: Expression = ZERO  # equilibrium value of ξ, q/µλ; without a restoring force, the acceleration q/µ
+    swing: Expression = ZERO  # amplitude p/µω of the sine; without a restoring force, the velocity p/µ
 
 
 def _summed(modes: Sequence[Mode], i: int, t: Symbol, order: int) -> Expression:
-    """Return the sum of the modes, or its derivative of some order by the time."""
+    """Return the displacement of a free coordinate as a sum of modes, or a time derivative of some order."""
     found: Expression = ZERO
     for mode in modes:
         inner = _free(mode, t, order) if mode.rate is None else _swung(mode, mode.rate, t, order)
@@ -33,7 +33,7 @@ def _summed(modes: Sequence[Mode], i: int, t: Symbol, order: int) -> Expression:
 
 
 def _free(mode: Mode, t: Symbol, order: int) -> Expression:
-    """Of a mode that nothing drives back: c t + b t²/2."""
+    """Return c t + b t²/2, the course of a mode without a restoring force, or a derivative."""
     if order == 0:
         return mode.swing * t + 0.5 * mode.rise * Power(t, 2)
     if order == 1:
@@ -42,7 +42,7 @@ def _free(mode: Mode, t: Symbol, order: int) -> Expression:
 
 
 def _swung(mode: Mode, rate: Symbol, t: Symbol, order: int) -> Expression:
-    """B (1 − cos ωt) + c sin ωt."""
+    """Return b (1 − cos ωt) + c sin ωt, the course of an oscillating mode, or a derivative."""
     cosine, sine = Call("cos", rate * t), Call("sin", rate * t)
     rises = {0: ONE - cosine, 1: sine, 2: cosine, 3: -sine}[order]
     swings = {0: sine, 1: cosine, 2: -sine, 3: -cosine}[order]
@@ -51,27 +51,27 @@ def _swung(mode: Mode, rate: Symbol, t: Symbol, order: int) -> Expression:
 
 
 def place(modes: Sequence[Mode], i: int, t: Symbol) -> Expression:
-    """Return how far a free coordinate (by its place among them) has come at a time."""
+    """Return the displacement of a free coordinate, given by its index, at a time."""
     return _summed(modes, i, t, 0)
 
 
 def speed(modes: Sequence[Mode], i: int, t: Symbol) -> Expression:
-    """Return its rate."""
+    """Return the velocity of a free coordinate, given by its index, at a time."""
     return _summed(modes, i, t, 1)
 
 
 def acceleration(modes: Sequence[Mode], i: int, t: Symbol) -> Expression:
-    """Return the rate of that."""
+    """Return the acceleration of a free coordinate, given by its index, at a time."""
     return _summed(modes, i, t, 2)
 
 
 def jerk(modes: Sequence[Mode], i: int, t: Symbol) -> Expression:
-    """And of that."""
+    """Return the jerk of a free coordinate, given by its index, at a time."""
     return _summed(modes, i, t, 3)
 
 
 def plain(modes: list[Mode]) -> list[Mode]:
-    """A single mode that only one thing excites, of size one: when it passes zero, how large it is has no bearing."""
+    """Return a single mode with one excitation scaled to size one, for times at which it vanishes; others as is."""
     if len(modes) != 1 or modes[0].rate is None or ZERO not in (modes[0].rise, modes[0].swing):
         return modes
     only = modes[0]

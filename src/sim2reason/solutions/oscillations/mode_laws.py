@@ -1,4 +1,4 @@
-"""Normal modes: the motions in which all parts oscillate with one frequency.
+"""Normal modes, in which all parts oscillate with one frequency, and their equations.
 
 (K − λM) a = 0 gives λ = ω² and the shape a of each. See Goldstein, Poole and Safko, Classical Mechanics, § 6.3.
 """
@@ -21,26 +21,26 @@ from sim2reason.solutions.writing.numeric_roots import told_root
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import PER_SECOND_SQUARED
 
-NONE = 1e-9  # of the largest λ: less drives nothing back
-LONG = 160  # characters of the coefficients of an equation that is better written in numbers
-PAIR = 2  # free coordinates, of which one has the share 1
-FAINT = 1e-10  # of the largest part: a mode that the start leaves at rest
+NONE = 1e-9  # relative to the largest λ: a smaller one means no restoring force
+LONG = 160  # maximum length of the LaTeX of coefficients that are written as formulas
+PAIR = 2  # number of free coordinates with which a mode shape has one unknown share
+FAINT = 1e-10  # relative to the largest part: below it the start does not excite a mode
 
 
 class ModeLaws:
-    """The modes of a linear motion by Newton's laws, and the frequencies for which those hold."""
+    """The normal modes of a linear motion from Newton's laws, with their frequencies."""
 
     def __init__(
         self, book: Book, motion: LinearMotion, first: Sequence[Polynomial], names: Sequence[Symbol], *, loaded: bool
     ) -> None:
-        """Take the rates of the free coordinates at the start, and their names, and write the equations of motion.
+        """Take the initial rates and the names of the free coordinates, and write the equations of motion.
 
-        They are `loaded` with constant forces, unless the coordinates count from equilibrium. Raise UnsolvedError
-        where forces drive it away.
+        If `loaded`, they include constant forces; otherwise the coordinates count from equilibrium. Raise
+        UnsolvedError if the equilibrium is unstable.
         """
         self.book, self.motion, self.first, self.names = book, motion, list(first), list(names)
         self.size, self.loaded = len(motion.free), loaded
-        self.told: frozenset[int] = frozenset()  # the numbers of the modes that the solution shows
+        self.told: frozenset[int] = frozenset()  # indices of the modes that the solution shows
         self.mass, self.stiffness = motion.matrix("mass"), motion.matrix("stiffness")
         half = np.linalg.inv(np.linalg.cholesky(self.mass))  # makes M one, so that K stays symmetric
         found = np.linalg.eigh(half @ self.stiffness @ half.T)
@@ -54,13 +54,13 @@ class ModeLaws:
 
     @property
     def zeros(self) -> int:
-        """Return how many modes nothing drives back."""
+        """Return the number of modes without a restoring force."""
         return int((self.squares < NONE * self.squares[-1]).sum())
 
     # ---- frequencies
 
     def entry(self, i: int, j: int) -> tuple[Polynomial, Polynomial]:
-        """Of K and of M, by places among the free coordinates."""
+        """Return the entries of K and M for two free coordinates, given by their indices."""
         free = self.motion.free
         return self.motion.stiffness(free[i], free[j]), self.motion.mass(free[i], free[j])
 
@@ -78,7 +78,7 @@ class ModeLaws:
 
     @cached_property
     def powers(self) -> list[Polynomial]:
-        """The coefficients of det(K − λM) by the power of λ."""
+        """Return the coefficients of det(K − λM) by the power of λ."""
         found = [NIL] * (self.size + 1)
         for sign, order in signed_permutations(self.size):
             product = [Polynomial.of(sign)]
@@ -94,7 +94,7 @@ class ModeLaws:
 
     @cached_property
     def modes(self) -> list[Mode]:
-        """All of them, the slowest first; their λ are told."""
+        """Return all modes, the slowest first, and write their λ."""
         powers = self.powers[self.zeros :]
         if any(self.powers[: self.zeros]):
             raise UnsolvedError("a mode that only these numbers leave free")
@@ -106,13 +106,13 @@ class ModeLaws:
         return [*free, *self._several(powers)]
 
     def _only(self, powers: Sequence[Polynomial]) -> Mode:
-        """Return the root of a linear equation."""
+        """Write the root of a linear characteristic equation and return its mode."""
         mode = self._named(self.zeros)
         self._root(mode, powers, over(powers[0].scaled(-1.0), powers[1]))
         return mode
 
     def _two(self, powers: Sequence[Polynomial]) -> list[Mode]:
-        """Return the roots of a quadratic equation."""
+        """Write the roots of a quadratic characteristic equation and return their modes."""
         c, b, a = (held.expression() for held in powers)
         found: list[Mode] = []
         for n, sign in ((0, 1.0), (1, -1.0)):  # the coefficient of λ² and that of λ have opposite signs
@@ -125,12 +125,12 @@ class ModeLaws:
         return found
 
     def _implicit(self, mode: Mode, powers: Sequence[Polynomial]) -> Expression:
-        """Return a root by its equation, which is simpler to solve for the number that is unknown."""
+        """Return a root as the solution of its equation, which is simpler to solve for the unknown."""
         assert isinstance(mode.square, Symbol)
         return QuadraticRoot(self._vanishing(powers, mode.square), mode.square.name, float(self.squares[mode.number]))
 
     def _several(self, powers: Sequence[Polynomial]) -> list[Mode]:
-        """Return the roots of an equation of higher degree, found numerically."""
+        """Write the numerical roots of a characteristic equation of higher degree and return their modes."""
         found: list[Mode] = []
         for n in range(len(powers) - 1):
             mode = self._named(self.zeros + n)
@@ -155,7 +155,7 @@ class ModeLaws:
         return held
 
     def _named(self, number: int) -> Mode:
-        """Return a mode with Newton's laws, by which its λ and its shape follow."""
+        """Return a mode after writing the laws that determine its λ and its shape."""
         numbers = self.shapes[:, number]
         first = int(np.argmax(np.abs(numbers)))
         mark = str(number + 1) if self.size - self.zeros > 1 else ""
@@ -164,7 +164,7 @@ class ModeLaws:
         return mode
 
     def tell_laws(self, mode: Mode) -> None:
-        """Newton's laws of a mode, one for each free coordinate; one fewer where λ is known to be zero."""
+        """Write Newton's laws of a mode, one for each free coordinate; one fewer if λ is known to be zero."""
         numbers = self.shapes[:, mode.number] / self.shapes[mode.first, mode.number]
         unknown = [i for i in range(self.size) if i != mode.first]
         names = {i: self.book.fresh("r", self._mark(i, mode)) for i in unknown}
@@ -222,13 +222,13 @@ class ModeLaws:
 
     @staticmethod
     def _order(place: int, count: int) -> str:
-        """Return which of several roots one is, in words."""
+        """Return the rank of a root among several, in words."""
         if count == PAIR:
             return ("smaller", "greater")[place]
         return "greatest" if place == count - 1 else ("smallest", "second smallest", "third smallest")[place]
 
     def _repeats(self, mode: Mode) -> bool:
-        """Return whether the equation for the squares of frequencies is shown with an earlier mode."""
+        """Return whether an earlier mode shows the characteristic equation already."""
         return any(self.zeros <= number < mode.number for number in self.told) and mode.number in self.told
 
     def _mark(self, i: int, mode: Mode) -> str:

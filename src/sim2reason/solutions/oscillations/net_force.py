@@ -1,4 +1,4 @@
-"""Net forces on the only free coordinate of a motion on springs, and greatest values."""
+"""Net forces along the only free coordinate of a motion on springs, and greatest values."""
 
 import numpy as np
 
@@ -16,11 +16,11 @@ from sim2reason.solutions.oscillations.relative_motion import RelativeMotion
 from sim2reason.solutions.setting import Setting, capital, joined
 from sim2reason.solutions.writing.steps import Book
 
-FINE, LEVELS = 64, 4  # parts of what is searched for a greatest value, and how often
+FINE, LEVELS = 64, 4  # intervals of a search for a greatest value, and number of refinements
 
 
 def greatest_target(setting: Setting) -> Target | None:
-    """Return the quantity whose greatest value is asked for."""
+    """Return the quantity whose greatest value is asked for; None for other questions."""
     query = setting.query
     if not isinstance(query, StretchQuery):
         return None
@@ -29,7 +29,7 @@ def greatest_target(setting: Setting) -> Target | None:
 
 
 def time_of_greatest(setting: Setting) -> float:
-    """Return when the motion takes the greatest value that is asked for, s, near enough for Newton's method."""
+    """Return the time, s, of the greatest value asked for, accurate enough to start Newton's method."""
     query, trace, low, high = setting.query, setting.study.trace, 0.0, setting.time
     assert isinstance(query, StretchQuery)
     functional, best = FUNCTIONALS[query.functional], high
@@ -43,25 +43,25 @@ def time_of_greatest(setting: Setting) -> float:
 
 
 def is_slow_at_greatest(setting: Setting, body: str) -> bool:
-    """Return whether a body is slower than half its greatest speed when the motion takes the greatest value."""
+    """Return whether a body is slower than half its greatest speed at the time of the greatest value."""
     times = np.append(np.linspace(0.0, setting.time, FINE * LEVELS), time_of_greatest(setting))
     *speeds, then = np.linalg.norm(Velocity.evaluate(setting.study.trace.sample(times), body), axis=1)
     return bool(then < 0.5 * max(speeds))
 
 
 HALF = Number(0.5)
-PLAIN = 1e-9  # by how much a ratio may differ from 1
-LINEAR = frozenset({"tension", "acceleration", "net force", "spring force"})  # quantities that are linear in a place
+PLAIN = 1e-9  # tolerance of a ratio of 1
+LINEAR = frozenset({"tension", "acceleration", "net force", "spring force"})  # linear in the position
 
 
 def extension(motion: LinearMotion | RelativeMotion, number: int, place: Expression) -> Expression:
-    """Return by how much a spring is stretched where the free coordinate is at a place."""
+    """Return the extension of a spring, m, at a value of the free coordinate."""
     strain, part = motion.laws.strain(number), motion.drawn(number, motion.free[0])
     return strain.expression() + (place if part == 1.0 else -place if part == -1.0 else Number(part) * place)
 
 
 def net_force(motion: LinearMotion | RelativeMotion, place: Expression) -> Expression:
-    """Return the net force along the free coordinate at a place, each spring's with its own extension."""
+    """Return the net force along the free coordinate at a value of it, with the extension of each spring."""
     (i,) = motion.free
     found = motion.steady(i).factored() if motion.steady(i) else ZERO
     for n in motion.springs:
@@ -74,12 +74,12 @@ def net_force(motion: LinearMotion | RelativeMotion, place: Expression) -> Expre
 
 
 def collected(held: Polynomial, stiffness: Polynomial) -> Expression:
-    """Return a sum of forces with the stiffness of each spring once, and times the whole stretching at the start."""
+    """Return a sum of forces with the stiffness of each spring factored out."""
     return held.collected([n for n in sorted(stiffness.names()) if len(held.coefficient(n).terms) > 1])
 
 
 def without_friction(motion: LinearMotion, *, sign: float = 1.0) -> Expression:
-    """Return the net force along the free coordinate, where it is counted from, without friction; times `sign`."""
+    """Return the net force along the free coordinate at its origin, without friction, times `sign`."""
     (i,) = motion.free
     whole = (motion.load(i) - motion.friction(i)).scaled(sign)
     if common([*whole.terms]):
@@ -105,9 +105,9 @@ def _positive_first(held: Polynomial) -> Expression:
 
 
 def work(motion: LinearMotion | RelativeMotion, place: Expression, relaxed: int = -1) -> Expression:
-    """Return the work of all forces along the free coordinate from the start to a place.
+    """Return the work of all forces along the free coordinate from the start to a position, J.
 
-    `relaxed` is the number of a spring that has its natural length there, if that is known of one.
+    `relaxed` is the index of a spring that has its natural length there, if one is known to have.
     """
     (i,) = motion.free
     found = motion.steady(i)
@@ -123,10 +123,10 @@ def work(motion: LinearMotion | RelativeMotion, place: Expression, relaxed: int 
 def law_words(
     mechanism: Mechanism, motion: LinearMotion | RelativeMotion, mass: Expression, place: Symbol, acceleration: Symbol
 ) -> tuple[str, str]:
-    """Return the sentences that lead to the equation of motion of the free coordinate, which stands after them.
+    """Return the sentences before the equation of motion of the free coordinate.
 
-    That is the sum of Newton's second laws where all bodies move along fixed lines, as fast as each other; else it
-    follows from the power, which has no numbers yet.
+    The equation is the sum of Newton's second laws if all bodies move along fixed lines at equal speeds; otherwise it
+    follows from the power.
     """
     rate, along = Symbol(rf"\dot{{{place.name}}}"), f"along ${place.name}$"
     if isinstance(motion, LinearMotion) and _as_one(mechanism, motion):
@@ -141,7 +141,7 @@ def law_words(
 
 
 def _as_one(mechanism: Mechanism, motion: LinearMotion) -> bool:
-    """Return whether several bodies move along fixed lines, all as fast as the free coordinate changes."""
+    """Return whether several bodies move along fixed lines, all as fast as the free coordinate."""
     parts = {k: part for k, held in motion.ratios.items() for part in held.values()}
     held = [mechanism.coordinates[k] for k in parts]
     straight = all(c.kind == "slide" and mechanism.body[c.body].parent is None for c in held)
@@ -149,7 +149,7 @@ def _as_one(mechanism: Mechanism, motion: LinearMotion) -> bool:
 
 
 def tell_extreme_end(setting: Setting, book: Book, place: Symbol, mover: str) -> None:
-    """Write why a quantity that hangs linearly on a place is greatest, or least, where something stands still."""
+    """Write why a quantity that is linear in the position is extreme at a turning point."""
     target, query = greatest_target(setting), setting.query
     if target is None or not isinstance(query, StretchQuery) or target.quantity not in LINEAR:
         return
@@ -164,7 +164,7 @@ def tell_extreme_end(setting: Setting, book: Book, place: Symbol, mover: str) ->
 
 
 def told_extensions(motion: LinearMotion | RelativeMotion, place: Expression, setting: Setting) -> str:
-    """Return the sentence by how much springs are stretched or compressed at a place; empty if none is."""
+    """Return a sentence with the extensions or compressions of springs at a position; empty for none."""
     said: list[str] = []
     for n in motion.springs:
         stretched = extension(motion, n, place)

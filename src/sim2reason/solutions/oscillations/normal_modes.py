@@ -1,4 +1,4 @@
-"""Normal modes: their frequencies, and what the start of a motion excites of each."""
+"""Normal modes: their frequencies and shapes, and their excitation by the initial state."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -32,7 +32,7 @@ SMALLER = {"slower": "smaller", "faster": "greater", "slowest": "smallest", "fas
 
 
 def natural_frequency(held: ModeLaws, query: PeriodQuery) -> Symbol:
-    """Write the angular frequency that a question asks about; UnsolvedError where the motion has no period."""
+    """Write the angular frequency that a question asks about; UnsolvedError if the motion has no period."""
     if not query.small and held.size - held.zeros > 1:
         raise UnsolvedError("the motion as a whole has no period")
     mode = held.modes[held.zeros + (query.rank if query.small else 0)]
@@ -47,7 +47,7 @@ def natural_frequency(held: ModeLaws, query: PeriodQuery) -> Symbol:
 
 
 def _tell_other_root(held: ModeLaws, mode: Mode, query: PeriodQuery) -> None:
-    """Write the root of the other mode, once all numbers are known, from the product of both."""
+    """Write the λ of the other mode from the product of both, once all numbers are known."""
     book, slower, square = held.book, query.rank == 0, mode.square
     rest, _, leading = held.powers[held.zeros :]
     formula = rest.expression() / (leading.expression() * square)
@@ -62,51 +62,51 @@ def _tell_other_root(held: ModeLaws, mode: Mode, query: PeriodQuery) -> None:
     step.close()
 
 
-FAINT = 1e-10  # of the largest part: a mode that the start leaves at rest
-ACCELERATED = 2  # the order of an acceleration
+FAINT = 1e-10  # relative to the largest part: below it the start does not excite a mode
+ACCELERATED = 2  # order of the time derivative that is an acceleration
 Form = tuple[Array, int]
-"""A sum of places, by the weight of each free coordinate (n,), and the order of its derivative."""
+"""A linear combination of displacements: a weight per free coordinate, (n,), and the order of a time derivative."""
 
 RESTS = (
     "The total momentum is zero, and no external force changes it, so the centre of mass stays at rest and this mode "
     "is not excited."
 )
-LONG = 160  # characters of a formula that is better written in numbers
+LONG = 160  # maximum length of the LaTeX of a formula that is not replaced by its number
 
 
 class NormalModes(ModeLaws):
-    """All modes of a linear motion, written down as they are asked for."""
+    """All normal modes of a linear motion, written as they are needed."""
 
     # ---- shapes
 
     def _counts(self, n: int, forms: Sequence[Form]) -> bool:
-        """Return whether a mode that the start excites shows in any of some sums of places, or derivatives of them."""
+        """Return whether an excited mode contributes to any of some linear combinations or their derivatives."""
         shape = self.shapes[:, n] / np.abs(self.shapes[:, n]).max()
         last = self._last(n)
         held = (parts for parts, order in forms if order <= last)
         return any(abs(float(parts @ shape)) > FAINT * float(np.abs(parts).max()) for parts in held)
 
     def _last(self, n: int) -> float:
-        """Return the order of the last derivative in which a mode shows that the start excites.
+        """Return the order of the highest derivative to which an excited mode contributes.
 
-        What nothing drives back goes on at a constant speed, or with a constant acceleration.
+        A mode without a restoring force has a constant velocity or a constant acceleration.
         """
         if n >= self.zeros:
             return inf
         return ACCELERATED if self._pushed(n) else ACCELERATED - 1
 
     def _pushed(self, n: int) -> bool:
-        """Return whether forces push a mode away from where it begins."""
+        """Return whether constant forces accelerate a mode from its initial position."""
         shape = self.shapes[:, n]
         return abs(float(shape @ self.load)) > FAINT * float(np.abs(shape * self.load).max())
 
     def shown(self, forms: Sequence[Form]) -> list[int]:
-        """Return the numbers of the modes that `excited` finds, without writing anything."""
+        """Return the indices of the modes that `excited` returns, without writing anything."""
         return [n for n in self._moving if self._counts(n, forms)]
 
     @cached_property
     def _moving(self) -> list[int]:
-        """Return the numbers of the modes that the initial state excites."""
+        """Return the indices of the modes that the initial state excites."""
         sizes: list[float] = []
         for n in range(self.size):
             shape = self.shapes[:, n]
@@ -119,7 +119,7 @@ class NormalModes(ModeLaws):
     def excited(self, forms: Sequence[Form]) -> list[Mode]:
         """Write the modes that the initial state excites, with their shapes and amplitudes, and return them.
 
-        `forms` are the sums of places, or derivatives of them, that are asked for; modes that change none are left out.
+        `forms` are the linear combinations that the question needs; modes that contribute to none are left out.
         """
         shown = self.shown(forms)
         self.told = frozenset(shown)
@@ -137,7 +137,7 @@ class NormalModes(ModeLaws):
 
     @property
     def _why_apart(self) -> str:
-        """Say why the common motion has no part in what is asked: it is not excited, or changes nothing of that."""
+        """Return why the common motion is left out: it is not excited, or does not affect the answer."""
         shape = self.shapes[:, 0]
         terms = (shape * self.load, shape * (self.mass @ self.begun))
         driven, moves = (abs(float(part.sum())) > FAINT * float(np.abs(part).max()) for part in terms)
@@ -147,7 +147,7 @@ class NormalModes(ModeLaws):
         return f"It does not change {kept}; in what follows, displacements are those apart from it."
 
     def _tell_projection(self, found: Sequence[Mode]) -> None:
-        """Write displacements as sums over modes, and why each mode has an equation of motion of its own."""
+        """Write displacements as sums over modes, and why each mode has its own equation of motion."""
         if self.size == 1 or not found:
             return
         for mode in found:
@@ -169,11 +169,11 @@ class NormalModes(ModeLaws):
 
     @property
     def common(self) -> bool:
-        """Return whether the common motion of all bodies is excited, but left out."""
+        """Return whether the common motion of all bodies is excited but left out."""
         return any(n < self.zeros for n in self._moving if n not in self.told)
 
     def _sums(self, found: Sequence[Mode]) -> str:
-        """Return a clause with the displacements as sums over modes; empty if other modes show in all of them."""
+        """Return a clause with the displacements as sums over modes; empty if omitted modes contribute to all."""
         others = [n for n in self._moving if n not in self.told]
         hidden = np.abs(self.shapes[:, [n for n in others if n >= self.zeros]]).max(axis=1, initial=0.0)
         told: list[str] = []
@@ -190,7 +190,7 @@ class NormalModes(ModeLaws):
         return f", so that {what} {joined(told)}"
 
     def _product(self, one: Mode, other: Mode) -> Expression:
-        """Return the sum of masses times the shares in two modes."""
+        """Return the mass matrix between two mode shapes, aᵀM b."""
         found: Expression = ZERO
         for i, a in enumerate(one.shape):
             for j, b in enumerate(other.shape):
@@ -215,7 +215,7 @@ class NormalModes(ModeLaws):
         step.close()
 
     def _solve(self, step: Writing, rows: list[Polynomial], names: list[str]) -> list[str]:
-        """Return one unknown after the other, where a law has only one; the rest by Cramer's rule."""
+        """Record the solution of linear equations for some names and return each in LaTeX."""
         left, said = [*names], list[str]()
         waiting = [*rows]
         while left:
@@ -229,7 +229,7 @@ class NormalModes(ModeLaws):
         return said
 
     def _together(self, step: Writing, rows: list[Polynomial], left: list[str]) -> list[str]:
-        """Several at once."""
+        """Record the simultaneous solution of linear equations by Cramer's rule and return each in LaTeX."""
         said: list[str] = []
         coefficients = [[row.coefficient(name) for name in left] for row in rows[: len(left)]]
         rest = [row.without(left).scaled(-1.0) for row in rows[: len(left)]]
@@ -241,14 +241,14 @@ class NormalModes(ModeLaws):
     # ---- what is excited
 
     def _along(self, mode: Mode, of: Sequence[Polynomial]) -> Expression:
-        """Σ a · of."""
+        """Return the sum over coordinates of the mode shape times a quantity."""
         found: Expression = ZERO
         for part, held in zip(mode.shape, of, strict=True):
             found = found + part * held.expression() if held else found
         return found
 
     def _started(self, mode: Mode, *, alone: bool) -> None:
-        """The mode's own mass, how far it is from balance, and how fast it begins."""
+        """Write the effective mass, the angular frequency and the course of a mode."""
         free, n = self.motion.free, mode.number + 1
         pushes = [self.motion.load(i) for i in free]
         carried = [total(self.motion.mass(i, j) * self.first[b] for b, j in enumerate(free)) for i in free]
@@ -294,7 +294,7 @@ class NormalModes(ModeLaws):
         )
 
     def _own_mass(self, mode: Mode, *, named: bool) -> Expression:
-        """aᵀM a."""
+        """Return the effective mass aᵀM a of a mode, written with a symbol if `named`."""
         found: Expression = ZERO
         for i, one in enumerate(mode.shape):
             for j, other in enumerate(mode.shape):

@@ -25,19 +25,19 @@ class MomentumWords:
 
     conserved: str
     zero: str
-    rests: str  # what follows from that for the centre of mass, as do the next two sentences
+    rests: str  # consequence for the centre of mass, as in the next two sentences
     drifts: str
     unaccelerated: str
-    frame: str  # in which the momentum is zero
+    frame: str  # the frame in which the momentum is zero
 
     @property
     def still(self) -> str:
-        """Return that the momentum is zero, with what follows."""
+        """Return the sentence that the momentum is zero, with the consequence for the centre of mass."""
         return f"{self.zero}{self.rests}"
 
     @classmethod
     def of(cls, setting: Setting) -> Self:
-        """Return those for a scene."""
+        """Return the sentences for the scene of a setting."""
         coordinates = setting.mechanism.coordinates
         if all(coordinate.kind == "hinge" for coordinate in coordinates):  # beads on a level ring
             return cls._angular()
@@ -81,10 +81,10 @@ DIRECTIONS = ((1.0, 0.0), (0.0, 1.0), (1.0, 1.0), (1.0, -1.0))
 
 
 class RelativeMotion:
-    """As a linear motion with one free coordinate: how far `free` has come, apart from what it shares with `other`."""
+    """A linear motion with one free coordinate: the displacement of one body relative to another."""
 
     def __init__(self, motion: LinearMotion, book: Book) -> None:
-        """UnsolvedError where nothing is kept, or where more than two coordinates are free."""
+        """Take the motion of two bodies; UnsolvedError unless two coordinates are free and a momentum is conserved."""
         self.whole, self.book = motion, book
         self.laws: SpringLaws = motion.laws
         self.segment, self.givens, self.damped = motion.segment, motion.givens, motion.damped
@@ -100,9 +100,9 @@ class RelativeMotion:
         self.other, own = motion.free[kept], motion.free[1 - kept]
         self.free = [own]
         self.words = MomentumWords.of(motion.setting)
-        self.called = "x"  # what the relative displacement is called
-        self.recoils = ""  # begins a sentence with the velocity of what is shared, where the momentum is zero
-        share = self.way[1 - kept] if self.way[kept] else 0.0  # how fast the free one goes with the other
+        self.called = "x"  # symbol of the relative displacement
+        self.recoils = ""  # beginning of a sentence with the shared velocity, in the frame of zero momentum
+        share = self.way[1 - kept] if self.way[kept] else 0.0  # rate of the free coordinate per rate of the other
         self.shared = share / self.way[kept]
         self.ratios = {
             k: {
@@ -123,23 +123,23 @@ class RelativeMotion:
         return not any(abs(sum(self.whole.drawn(n, i) * part for i, part in pairs)) > 0.0 for n in self.whole.springs)
 
     def ratio(self, k: int, i: int) -> float:
-        """Return how fast a coordinate changes with one of the two."""
+        """Return the rate of a coordinate relative to that of the shared or the relative coordinate."""
         return self.ratios[k].get(i, 0.0)
 
     @property
     def springs(self) -> list[int]:
-        """Those that the relative motion stretches."""
+        """Return the indices of the springs that the relative motion stretches."""
         return self.whole.springs
 
     def drawn(self, number: int, i: int) -> float:
-        """Return how fast a line grows; what both share stretches none."""
+        """Return the rate of a line's length per rate of a coordinate; zero for the shared coordinate."""
         return self.whole.drawn(number, i) if i == self.free[0] else 0.0
 
     # ---- inertia
 
     @cached_property
     def masses(self) -> tuple[Polynomial, Polynomial, Polynomial]:
-        """Of what is shared, of both, and of the relative motion by itself."""
+        """Return the mass of the shared motion, the mixed term, and the mass of the relative motion."""
         i, j, m = self.other, self.free[0], self.whole.mass
         both = m(i, j) + m(j, j).scaled(self.shared)
         shared = m(i, i) + m(i, j).scaled(2.0 * self.shared) + m(j, j).scaled(self.shared**2)
@@ -147,7 +147,7 @@ class RelativeMotion:
 
     @cached_property
     def reduced(self) -> Symbol:
-        """µ, told: of two bodies along one line the reduced mass, else by the kinetic energy."""
+        """Write the reduced mass µ, or the effective mass from the kinetic energy, and return its symbol."""
         shared, both, own = self.masses
         name, square = self.book.fresh(r"\mu"), Power(both.factored(), 2)
         if both == own:
@@ -170,30 +170,30 @@ class RelativeMotion:
         return name
 
     def mass(self, i: int, j: int) -> Polynomial:
-        """µ."""
+        """Return the reduced mass µ of the relative motion."""
         del i, j
         return Polynomial.of(self.reduced)
 
     def stiffness(self, i: int, j: int) -> Polynomial:
-        """Of the springs, along the relative motion."""
+        """Return the stiffness of the springs along the relative motion."""
         return self.whole.stiffness(i, j)
 
     def steady(self, i: int) -> Polynomial:
-        """Return all other forces along it."""
+        """Return the forces along the relative motion except those of springs."""
         return self.whole.steady(i)
 
     def load(self, i: int) -> Polynomial:
-        """Return all forces along it at the start."""
+        """Return the net force along the relative motion at the start."""
         return self.whole.load(i)
 
     def matrix(self, entry: str) -> Array:
-        """In numbers, (1, 1)."""
+        """Return the ``mass``, ``stiffness`` or ``damping`` matrix of the relative motion as numbers, (1, 1)."""
         if entry != "mass":
             return np.array([[getattr(self, entry)(self.free[0], self.free[0]).value(self.givens)]])
         shared, both, own = (part.value(self.givens) for part in self.masses)
         return np.array([[own - both**2 / shared]])
 
     def momentum(self, first: dict[int, Polynomial]) -> Polynomial:
-        """Return what is kept, by the rates at the start of the two."""
+        """Return the conserved momentum from the initial rates of both coordinates."""
         shared, both, _ = self.masses
         return shared * first.get(self.other, NIL) + both * first.get(self.free[0], NIL)

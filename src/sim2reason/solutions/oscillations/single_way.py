@@ -1,4 +1,4 @@
-"""Answers where one coordinate is free, or where momentum ties two coordinates together."""
+"""Answers about motions with one free coordinate, or with two that momentum ties together."""
 
 from abc import abstractmethod
 
@@ -25,59 +25,59 @@ def signed(held: Expression) -> Polynomial:
 
 
 class SingleWay(LinearWay):
-    """Goals in terms of the only free coordinate."""
+    """A motion model that expresses all quantities by the only free coordinate."""
 
-    _given_distance = ""  # the name of the distance that a moment states
+    _given_distance = ""  # symbol of the distance that a moment states
 
     @property
     @abstractmethod
     def name(self) -> Symbol:
-        """Return what the free coordinate is called."""
+        """Return the symbol of the free coordinate."""
 
     @property
     def mover(self) -> str:
-        """Return what moves with the only free coordinate, in words."""
+        """Return the phrase for the body that moves with the only free coordinate."""
         return self.who(self.motion.free[0])
 
     @property
     def at_rest(self) -> str:
-        """Return the clause that it is at rest for an instant."""
+        """Return the clause that the body is at rest for an instant."""
         return f"{self.mover} is at rest"
 
     def fastest(self, where: str) -> str:
-        """Return the clause that its speed is greatest at a place; the speed follows."""
+        """Return the clause that the speed is greatest at a position, up to the value of the speed."""
         return f"{self.mover} is fastest at {where}, where its speed is"
 
     @property
     def standing(self) -> str:
-        """Begin a sentence with where, or when, it is at rest for an instant."""
+        """Return the beginning of a sentence about a turning point."""
         return f"{capital(self.mover)} turns back"
 
     @abstractmethod
     def along(self, kind: str) -> Polynomial:
-        """Place ``s``, speed ``v`` or acceleration ``a`` of the free coordinate at the moment."""
+        """Return the displacement ``s``, velocity ``v`` or acceleration ``a`` of the free coordinate."""
 
     def place(self, i: int) -> Polynomial:
-        """Return how far it has come."""
+        """Return the displacement of the free coordinate."""
         del i
         return self.along("s")
 
     def speed(self, i: int) -> Polynomial:
-        """Return how fast it changes."""
+        """Return the velocity of the free coordinate."""
         del i
         return self.along("v")
 
     def acceleration(self, i: int) -> Polynomial:
-        """Return how fast that does."""
+        """Return the acceleration of the free coordinate."""
         del i
         return self.along("a")
 
     def share(self, k: int) -> tuple[Polynomial, Polynomial] | None:
-        """How far a coordinate comes as the only free one does, a fraction; None where that hangs on the time, too."""
+        """Return numerator and denominator of a coordinate's displacement per free one; None if it varies in time."""
         return Polynomial.of(self.motion.ratio(k, self.motion.free[0])), Polynomial.of(1.0)
 
     def moved_to(self, moment: Moved) -> Expression:
-        """Return where the only free coordinate is when a body has moved a stated distance."""
+        """Return the value of the free coordinate when a body has moved a stated distance, m."""
         k, *_ = self.moving([moment.name])
         share, name = self.share(k), self.book.fresh("d")
         if share is None:
@@ -88,32 +88,32 @@ class SingleWay(LinearWay):
         return over(share[1] * Polynomial.of(name).scaled(1.0 if there > 0.0 else -1.0), share[0])
 
     def relaxed_place(self, spring: str) -> Expression:
-        """Return where the only free coordinate is when a spring has its natural length."""
+        """Return the value of the free coordinate at which a spring has its natural length, m."""
         part = self.motion.drawn(self._number(spring), self.motion.free[0])
         return self.spring("strain", spring).scaled(-1.0 / part).expression()
 
     def stops_alone(self) -> None:
-        """UnsolvedError where a body comes to rest while the free coordinate goes on."""
+        """Raise UnsolvedError if a body comes to rest while the free coordinate still changes."""
         moment = self.query.moment
         if isinstance(moment, Stopped) and any(self.share(k) is None for k in self.moving([moment.name])):
             raise UnsolvedError("the moment is not about the relative motion")
 
     def seen(self, row: Array) -> float:
-        """Of the engine's values of all coordinates, that of the only free one."""
+        """Return the engine's value of the free coordinate, from the values of all coordinates."""
         i = self.motion.free[0]
         return self.newton.scale[i].here * float(row[i])
 
 
 class PairWay(SingleWay):
-    """A way for the relative motion, with what momentum says of the rest."""
+    """A motion model of two bodies: the relative motion, and the shared motion from conserved momentum."""
 
     @property
     def at_rest(self) -> str:
-        """Return a clause about the instant at which the bodies do not move relative to each other."""
+        """Return the clause that the bodies do not move relative to each other."""
         return "the relative velocity is zero"
 
     def fastest(self, where: str) -> str:
-        """Return a clause about the place of the greatest relative velocity."""
+        """Return the clause that the relative velocity is greatest at a position."""
         return f"the relative velocity is greatest at {where}, where it is"
 
     @property
@@ -123,7 +123,7 @@ class PairWay(SingleWay):
 
     @property
     def motion(self) -> RelativeMotion:
-        """The relative motion."""
+        """Return the equations of the relative motion."""
         return self._relative
 
     @cached_property
@@ -131,7 +131,7 @@ class PairWay(SingleWay):
         return RelativeMotion(self.linear, self.book)
 
     def share(self, k: int) -> tuple[Polynomial, Polynomial] | None:
-        """Return where the momentum is zero, the centre of mass stays, so that all moves in proportion."""
+        """Return numerator and denominator of a coordinate's displacement per relative displacement."""
         held = self._relative
         if {*held.ratios[k]} == {*held.free}:
             return super().share(k)
@@ -143,7 +143,7 @@ class PairWay(SingleWay):
         return (found, shared) if found.value(held.givens) > 0.0 else (found.scaled(-1.0), shared.scaled(-1.0))
 
     def moved_to(self, moment: Moved) -> Expression:
-        """Told, where the momentum has a part in it."""
+        """Return the relative displacement when a body has moved a stated distance, written if momentum gives it."""
         formula = super().moved_to(moment)
         if {*self._relative.ratios[self.moving([moment.name])[0]]} == {*self._relative.free}:
             return formula
@@ -151,7 +151,7 @@ class PairWay(SingleWay):
         return self.book.told("momentum", said, self.name, formula, METRES)
 
     def first(self, i: int) -> Polynomial:
-        """Return the rate at the start: of the relative motion, or of what is shared."""
+        """Return the initial rate of the relative motion, or of the shared motion."""
         held = self._relative
         mine = self.first_speeds.get(i, NIL)
         if i == held.other:
@@ -159,7 +159,7 @@ class PairWay(SingleWay):
         return mine - self.first_speeds.get(held.other, NIL).scaled(held.shared)
 
     def seen(self, row: Array) -> float:
-        """Return the relative rate, in SI units, by the rates of all coordinates."""
+        """Return the relative rate, in SI units, from the rates of all coordinates."""
         held, scale = self._relative, self.newton.scale
         i, j = held.free[0], held.other
         return scale[i].here * float(row[i]) - held.shared * scale[j].here * float(row[j])
@@ -178,14 +178,14 @@ class PairWay(SingleWay):
 
     @property
     def kept(self) -> Polynomial:
-        """The momentum."""
+        """Return the conserved momentum."""
         held = self._relative
         return held.momentum({i: self.first(i) for i in (held.other, *held.free)})
 
     # ---- what both share
 
     def _balanced(self, kind: str, unit: str, total: Polynomial, said: str) -> Polynomial:
-        """From: mass times what is shared + mass times what is relative = a total."""
+        """Write the shared displacement, velocity or acceleration from the momentum, and return it."""
         if kind in self._told:
             return self._told[kind]
         shared, both, _ = self._relative.masses
@@ -208,7 +208,7 @@ class PairWay(SingleWay):
         return self.setting.called(self.mechanism.coordinates[self._relative.other].body)
 
     def place(self, i: int) -> Polynomial:
-        """Return how far a coordinate has come, in m: the relative one, or that of the centre of mass."""
+        """Return the displacement of a coordinate, m: the relative one, or the shared one from momentum."""
         if i != self._relative.other:
             return self.along("s")
         total = self.kept
@@ -221,7 +221,7 @@ class PairWay(SingleWay):
         return self._balanced("s", METRES, total, said)
 
     def speed(self, i: int) -> Polynomial:
-        """Return the rate of a coordinate, in m/s: of the relative one, or the shared velocity."""
+        """Return the velocity of a coordinate, m/s: the relative one, or the shared one from momentum."""
         if i != self._relative.other:
             return self.along("v")
         if not self.kept and not self.along("v"):
@@ -229,7 +229,7 @@ class PairWay(SingleWay):
         return self._balanced("v", SPEED, self.kept, f"{self._relative.words.conserved}; with the velocity")
 
     def acceleration(self, i: int) -> Polynomial:
-        """Return the acceleration of a coordinate, in m/s²: the relative one, or the shared one."""
+        """Return the acceleration of a coordinate, m/s²: the relative one, or the shared one."""
         if i != self._relative.other:
             return self.along("a")
         said = f"{self._relative.words.unaccelerated}; with the acceleration"

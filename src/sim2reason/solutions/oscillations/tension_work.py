@@ -1,4 +1,4 @@
-"""The work of a tension that changes all the while, by the kinetic energy of the body on which it acts."""
+"""The work of a varying tension, from the change in kinetic energy of the body on which it acts."""
 
 from collections.abc import Collection
 
@@ -13,9 +13,9 @@ HALF = Number(0.5)
 
 
 def tension_work(way: Way, springs: Collection[int], body: str) -> Symbol:
-    """Write it: the weight and springs with a fixed end do works that are known; UnsolvedError where more acts.
+    """Write the work of a tension on a body and return its symbol; UnsolvedError if other forces vary.
 
-    `springs` are the numbers of all lines that are some.
+    `springs` are the indices of all lines that are springs; their work and that of the weight are known.
     """
     (k, *others), target, goal = way.moving([body]), way.target, way.goal
     if others or target is None or goal is None:
@@ -43,7 +43,7 @@ def _is_fixed(way: Way, number: int) -> bool:
 
 
 def _given_off(way: Way, number: int) -> Expression:
-    """Return the energy that a spring has lost."""
+    """Return the energy that a spring has given off, J."""
     line = way.mechanism.lines[number].name
     strain, growth = way.spring("strain", line).expression(), way.growth("s", line).expression()
     return HALF * way.spring("stiffness", line).expression() * (squares([strain]) - Power(strain + growth, 2))

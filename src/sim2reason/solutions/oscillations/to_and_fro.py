@@ -1,4 +1,4 @@
-"""Motions between turning points: the first move, the first rest, and strings that stay taut."""
+"""Motions between turning points: the initial direction, the first rest, and taut strings."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -25,7 +25,7 @@ from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, NEWTON
 
 
 def tell_first_move(way: LinearWay, motion: LinearMotion | RelativeMotion) -> None:
-    """State the initial direction of a motion from rest without friction, by the net force at the start."""
+    """Write the initial direction of a frictionless motion from rest, from the net force at the start."""
     (i,), book = motion.free, way.book
     if isinstance(motion, RelativeMotion) or any(motion.laws.rough.values()) or way.first(i):
         return
@@ -44,7 +44,7 @@ def tell_first_move(way: LinearWay, motion: LinearMotion | RelativeMotion) -> No
 
 
 def told_first_rest(way: LinearWay, held: Harmonic, span: float, name: Symbol) -> Symbol:
-    """Write when the velocity is first zero, `span` seconds after the start, and give back the `name` of that time."""
+    """Write when the velocity is first zero, `span` seconds after the start; return the `name` of that time."""
     book, rate, begun, rest = way.book, held.rate, held.begun, held.rest
     step, phase = book.open("time"), rate * name
     velocity = rest * rate * Call("sin", phase) + held.first.expression() * Call("cos", phase)
@@ -70,9 +70,9 @@ def told_first_rest(way: LinearWay, held: Harmonic, span: float, name: Symbol) -
 
 
 def tell_beyond(way: LinearWay, held: Harmonic, turning: Expression, place: Expression, *, later: bool) -> None:
-    """Write that a body would come to rest only beyond a place, so that friction is constant; in symbols, assume it.
+    """Write that a body would come to rest only beyond a position, so that friction stays constant.
 
-    It comes to rest for the first time, or `later`.
+    In symbols, this is assumed. With `later`, the body has come to rest before.
     """
     book, step, who = way.book, way.book.open("verify"), way.who(held.motion.free[0])
     there = held.name.latex() if place == held.name else f"{held.name.latex()} = {place.latex()}"
@@ -91,7 +91,7 @@ def tell_beyond(way: LinearWay, held: Harmonic, turning: Expression, place: Expr
 
 
 def _tell_sign(way: LinearWay, rest: Expression, sign: str, reached: tuple[Expression, bool]) -> None:
-    """Write that the net force is zero on the side that was assumed, as the phase `reached` requires."""
+    """Write that the net force is zero on the assumed side, as the phase `reached` requires."""
     step, (phase, early), right = way.book.open("verify"), reached, Number(0.5) * PI
     greater, less = (ZERO, rest) if way.book.value(rest) < 0.0 else (rest, ZERO)
     exceeds(way.book, step, greater, less)
@@ -102,7 +102,7 @@ def _tell_sign(way: LinearWay, rest: Expression, sign: str, reached: tuple[Expre
 
 
 def tell_rest_only_later(book: Book, formula: Expression, left: Symbol, half: Symbol | None, *, again: bool) -> None:
-    """Write that half an oscillation, of a `formula` or a known symbol `half`, takes longer than the time `left`."""
+    """Write that a half-oscillation, by its `formula` or symbol `half`, takes longer than a time `left`."""
     if book.in_symbols:
         return
     if book.is_hidden(formula) or book.is_hidden(left):
@@ -124,7 +124,7 @@ def tell_rest_only_later(book: Book, formula: Expression, left: Symbol, half: Sy
 
 @dataclass(frozen=True)
 class _Held:
-    """A body that a string pulls against its weight: its coordinate, the line, its mass, and how it would fall."""
+    """A body that a string holds against its weight, with its coordinate, line, mass and free acceleration."""
 
     k: int
     line: int
@@ -133,7 +133,7 @@ class _Held:
 
 
 def verify_taut(setting: Setting, book: Book, held: Harmonic) -> None:
-    """Write, in the end, that no body that hangs on a string ever falls freely; nothing where numbers do not tell."""
+    """Schedule the verification that no body hanging on a string ever falls freely, if numbers show it."""
     held = max(_with_earlier(held), key=lambda swing: swing.size)
     motion = held.motion
     if book.in_symbols or not isinstance(motion, LinearMotion):
@@ -145,7 +145,7 @@ def verify_taut(setting: Setting, book: Book, held: Harmonic) -> None:
 
 
 def _with_earlier(held: Harmonic) -> Iterator[Harmonic]:
-    """Yield a half-oscillation and all earlier half-oscillations, which are wider if there is friction."""
+    """Yield a half-oscillation and all earlier ones, whose amplitudes are larger if there is friction."""
     earlier: Harmonic | None = held
     while earlier is not None:
         yield earlier
@@ -153,7 +153,7 @@ def _with_earlier(held: Harmonic) -> Iterator[Harmonic]:
 
 
 def _hanging(motion: LinearMotion) -> Iterator[_Held]:
-    """Yield the bodies on which one string and, against it, their weight act alone."""
+    """Yield the bodies on which only one string and, against it, their weight act."""
     for k in motion.ratios:
         row = motion.laws.newton(k)
         names = [n for n in row.zero.names() if n[0] in "TNSf" and n[1:].isdigit()]
@@ -179,12 +179,12 @@ def _write(setting: Setting, book: Book, held: Harmonic, body: _Held, ratio: flo
     step.close()
 
 
-EARLY = 1e-6  # of the stretch: what turns back at its end does not count
+EARLY = 1e-6  # relative to the greatest speed: below it the body counts as at rest
 SCAN = 2001
 
 
 def turning_times(trace: Trace, coordinate: int, until: float) -> list[float]:
-    """Return when a coordinate turns back before a time, s, by the engine."""
+    """Return the times, s, up to `until` at which a coordinate turns back, by the engine."""
     times = np.linspace(0.0, until, SCAN)
     speeds = trace.sample(times).v[:, coordinate]
     moving = np.flatnonzero(np.abs(speeds) > EARLY * float(np.abs(speeds).max()))
@@ -198,17 +198,17 @@ def turning_times(trace: Trace, coordinate: int, until: float) -> list[float]:
 
 @dataclass(frozen=True, slots=True)
 class Travelled(Stretch):
-    """A motion to and fro between places of a free coordinate, whatever acts on the way."""
+    """A motion back and forth between successive values of a free coordinate."""
 
     way: LinearWay
     places: Sequence[Expression]
 
     def path(self, body: str) -> Expression:
-        """Return the sum of all ways without their signs."""
+        """Return the total distance that a body travels, m."""
         return summed(self.paths(body))
 
     def paths(self, body: str) -> Sequence[Expression]:
-        """Return the distance that a body travels between each two successive places."""
+        """Return the distance that a body travels between each two successive positions, m."""
         own, book, found = self.way.moving([body]), self.way.book, list[Expression]()
         if len(own) != 1 or len(self.way.motion.ratios[own[0]]) != 1:
             raise UnsolvedError("its path is no line of its own")
@@ -221,10 +221,10 @@ class Travelled(Stretch):
 
 
 class Rubbing(Travelled):
-    """Swings with friction of one size."""
+    """Half-oscillations with kinetic friction of constant magnitude."""
 
     def force(self, kind: str, name: str) -> Polynomial:
-        """µN: its work is that along the whole path."""
+        """Return the kinetic friction µN, whose work is taken along the whole path."""
         if kind != "f":
             return super().force(kind, name)
         newton = self.way.newton
@@ -234,5 +234,5 @@ class Rubbing(Travelled):
         return newton.coefficient(number) * found
 
     def slipped(self, body: str) -> Polynomial:
-        """Return the whole path."""
+        """Return the length of the whole path on the surface, m."""
         return Polynomial.of(self.path(body))

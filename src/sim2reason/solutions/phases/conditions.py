@@ -26,10 +26,10 @@ from sim2reason.solutions.writing.lexicon import Both
 from sim2reason.solutions.writing.steps import UnsolvedError
 from sim2reason.solutions.writing.unit_latex import DEGREES, METRES, SECONDS
 
-SAMPLES = 2000  # instants of a phase at which a condition is looked at
-NOTHING = 1e-12  # in SI units: the rounding of zero
-ZERO_WITHIN = 1e-6  # of the largest value of a condition: how close to zero it must be where the phase ends
-EDGE = 1e-4  # of a phase: sign changes so close to its ends are the start, or the end itself
+SAMPLES = 2000  # instants of a phase at which a condition is evaluated
+NOTHING = 1e-12  # in SI units: tolerance of zero
+ZERO_WITHIN = 1e-6  # tolerance at the end of a phase, relative to the largest value of a condition
+EDGE = 1e-4  # fraction of a phase at both ends in which sign changes are ignored
 
 # ---- events of the engine
 
@@ -68,7 +68,7 @@ def _row(kind: str, said: str, *, force: bool) -> Callable[[PhaseEquations, Even
 
 
 def _spare(equations: PhaseEquations, row: int) -> Polynomial:
-    """Return by how much a string may still lengthen: what its length is at the start, less what it is."""
+    """Return the slack of a string: its initial length less its current length, m."""
     mechanisms = equations.lexicon.mechanism, equations.lexicon.twin
     starts = [{line.name: _length_at_start(m, line.name) for line in m.constraints} for m in mechanisms]
     here, there = (a.rows(begun)[row].value for a, begun in zip(equations.motion.assemblies, starts, strict=True))
@@ -139,7 +139,7 @@ EVENTS: Mapping[str, Callable[[PhaseEquations, Event], tuple[Expression, str]]] 
 
 
 def moment_conditions(equations: PhaseEquations, moment: Moment | None) -> list[Expression]:
-    """Return formulas whose zero is the moment of a question, the simplest first; its own numbers become givens.
+    """Return formulas whose zero is the moment of a question, the simplest first; its numbers become givens.
 
     Raises:
         UnsolvedError: no formula is known for this moment.
@@ -168,7 +168,7 @@ def _still(equations: PhaseEquations, moment: Stopped) -> list[Expression]:
 
 
 def _vertical(equations: PhaseEquations, moment: HighestPoint | LowestPoint) -> list[Expression]:
-    """Return the vertical velocity; if the body turns about one axle, also its angle and its angular velocity."""
+    """Return the vertical velocity; for rotation about one axle, preceded by its angle and angular velocity."""
     names = equations.names
     velocity = equations.triple("velocity", moment.name)[2]
     turning = [k for k, rate in enumerate(names.rates) if rate.name in velocity.names()]
@@ -227,7 +227,7 @@ MOMENTS: Mapping[type[Moment], Callable[..., Expression | list[Expression]]] = {
 
 
 def said(equations: PhaseEquations, base: str, value: float, unit: str) -> Symbol:
-    """Return the symbol of a number that the question itself states."""
+    """Return the symbol of a number that the question itself states, with its value recorded."""
     name = equations.book.fresh(base)
     equations.book.know(name.name, value, unit)
     equations.stated.append((name.name, value, unit))
@@ -235,13 +235,13 @@ def said(equations: PhaseEquations, base: str, value: float, unit: str) -> Symbo
 
 
 def signed(parts: tuple[Polynomial, ...]) -> Expression:
-    """Return the only component of a vector that has a single one, otherwise its size."""
+    """Return the only component of a vector that has a single one, otherwise its magnitude."""
     kept = [part for part in parts if part]
     return kept[0].factored() if len(kept) == 1 else size(parts)
 
 
 def size(parts: tuple[Polynomial, ...]) -> Expression:
-    """Return the size of a vector."""
+    """Return the magnitude of a vector."""
     kept = [part for part in parts if part]
     if len(kept) == 1:
         return Absolute(kept[0].factored())
@@ -252,7 +252,7 @@ def size(parts: tuple[Polynomial, ...]) -> Expression:
 
 
 def located(equations: PhaseEquations, formulas: Sequence[Expression], begin: float, end: float) -> Condition:
-    """Return the condition of the first formula that is zero at the end of a phase, with its sense and its number.
+    """Return the condition of the first formula that is zero at the end of a phase, with direction and count.
 
     Raises:
         UnsolvedError: none of the formulas has a zero there in the motion of the engine.

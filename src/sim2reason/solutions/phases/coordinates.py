@@ -24,7 +24,7 @@ from sim2reason.solutions.writing.unit_latex import (
     SPEED,
 )
 
-DEFLECTION = r"\varphi"  # begins the symbols of angles with the downward vertical
+DEFLECTION = r"\varphi"  # prefix of the symbols of angles with the downward vertical
 AXES = {0: "x", 1: "y", 2: "z"}
 SLIDE_UNITS = METRES, SPEED, ACCELERATION
 HINGE_UNITS = RADIANS, ANGULAR_SPEED, ANGULAR_ACCELERATION
@@ -36,7 +36,7 @@ COUNTED = (
 
 @dataclass(frozen=True, slots=True)
 class _Choice:
-    """One coordinate: its letter, its zero and sense, and its description."""
+    """A chosen coordinate: its letter, origin, sense, description and subscripts."""
 
     letter: str
     origin: Polynomial
@@ -54,9 +54,9 @@ class ChosenCoordinates:
     descriptions: tuple[str, ...]
 
     def used(self, names: AbstractSet[str]) -> str:
-        """Return a sentence for phases in closed form: the coordinates, and those derivatives of which some are used.
+        """Return a sentence that introduces only the coordinates and derivatives used by phases in closed form.
 
-        `names` are those of the phases, with the number of one as the last part of their subscripts.
+        `names` are the names in use, with the number of a phase as the last part of their subscripts.
         """
         stems = {_without_phase(name) for name in names}
         own, held = [*zip(self.names.places, self.names.rates, self.names.accelerations, strict=True)], list[int]()
@@ -99,7 +99,7 @@ def choose(setting: Setting, book: Book) -> ChosenCoordinates:
 
 
 def _velocity(setting: Setting, marks: str) -> str:
-    """Return a letter for velocities, another one where the text has v for a number."""
+    """Return a letter for velocities, u if the text uses v for a number."""
     return "u" if setting.is_given(marked("v", marks)) else "v"
 
 
@@ -148,7 +148,7 @@ def _slide(setting: Setting, k: int) -> _Choice:
 
 
 def _position(setting: Setting, body: str, axis: str) -> str:
-    """Describe a coordinate of a body whose position the text gives, or that hangs on a fixed point; else empty."""
+    """Return the description of a position coordinate that the text or a suspension defines; else empty."""
     who = setting.called(body)
     if any(split(given.symbol)[0] in AXES.values() for given in setting.lexicon.givens.values()):
         return f"the {axis} coordinate of {who}"
@@ -172,8 +172,8 @@ def _moved(setting: Setting, coordinate: Coordinate, way: tuple[float, float, fl
 def _given_place(lexicon: Lexicon, k: int, sense: float) -> Polynomial | None:
     """Return the initial coordinate along the body's axis if the text gives it, or if it is zero.
 
-    The text may count positions from another origin than the mechanism: then one of its numbers is the initial
-    coordinate from which the fixed points of springs have simple coordinates, too.
+    The text may count positions from another origin than the mechanism: then the initial coordinate is one of its
+    numbers, with which the fixed points of springs have simple coordinates as well.
     """
     begun, fixed = _along(lexicon.mechanism, k, sense), _along(lexicon.twin, k, sense)
     try:
@@ -196,7 +196,7 @@ def _simple(place: Polynomial) -> bool:
 
 
 def _along(m: Mechanism, k: int, sense: float) -> list[float]:
-    """Return the positions along the axis of a coordinate: of its body, of other bodies, of fixed ends of its lines."""
+    """Return the positions, m, along a coordinate's axis: its body, other bodies, fixed ends of its lines."""
     coordinate, frames = m.coordinates[k], start(m)
     sites = [
         site
@@ -247,7 +247,7 @@ def _line(who: str) -> str:
 
 
 def _deflection(m: Mechanism, k: int) -> tuple[float, float] | None:
-    """Return the initial angle of the centre of mass carried by a hinge with the downward vertical, and its sense.
+    """Return the initial angle of a hinge's centre of mass with the downward vertical, and its sense.
 
     The angle counts towards the right in radians; the sense is 1 if it grows with the coordinate, -1 if it falls. None
     if the hinge is not horizontal, moves with something that turns, or carries its centre of mass on its axis.

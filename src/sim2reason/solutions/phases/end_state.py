@@ -1,4 +1,4 @@
-"""Answers from the state in which the last phase ends."""
+"""Answers from the state at the end of the last phase."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -28,7 +28,7 @@ class EndState(Way):
     """The state at the end of the last phase, in the symbols of its equations."""
 
     def __init__(self, setting: Setting, book: Book, equations: PhaseEquations) -> None:
-        """Take the equations whose symbols are those of the end."""
+        """Take the equations whose symbols have the values at the end."""
         super().__init__(setting, book)
         self._equations = equations
 
@@ -46,7 +46,7 @@ class EndState(Way):
 
     @property
     def gravity(self) -> Polynomial:
-        """Return the acceleration of free fall."""
+        """Return the acceleration of free fall, m/s²."""
         m, twin = self.setting.lexicon.mechanism, self.setting.lexicon.twin
         return self.setting.lexicon.read(Both(-m.gravity[2], -twin.gravity[2]))
 
@@ -66,7 +66,7 @@ class EndState(Way):
         return equations.acceleration(body) if kind == "a" else equations.displacement(body)
 
     def component(self, kind: str, body: str, way: Vector) -> Polynomial:
-        """Return the component along a direction of the room, or along the only line on which a body moves."""
+        """Return the component along a direction of the world frame, or along the body's only line of motion."""
         if kind == "u" or way not in (*ROOM, *((-x, -y, -z) for x, y, z in ROOM)):
             return super().component(kind, body, way)
         own = self._own(body)
@@ -81,7 +81,7 @@ class EndState(Way):
         return None if hinged else super().lone(kind, body)
 
     def apart(self, one: str, other: str) -> Components:
-        """Return the distance from one body to another at the end."""
+        """Return the vector from one body to another at the end, by component."""
         places = self._equations.triple("place", one), self._equations.triple("place", other)
         x, y, z = (b - a for a, b in zip(*places, strict=True))
         return x, y, z
@@ -101,12 +101,12 @@ class EndState(Way):
     # ---- rotation
 
     def rim(self, kind: str, body: str) -> Polynomial:
-        """Return the angular rate itself: the radius counts as one."""
+        """Return the angle, angular velocity or angular acceleration of a body, for a rim of radius one."""
         turns = bool(start(self.mechanism)[body].hinges)
         return self.rate(kind, self._equations.hinge(body)) if turns else NIL
 
     def radius(self, body: str) -> Polynomial:
-        """Return one, see `rim`."""
+        """Return the rim radius of one that `rim` assumes."""
         del body
         return Polynomial.of(1.0)
 
@@ -120,13 +120,13 @@ class EndState(Way):
         return self.setting.lexicon.read(Both(m.body[body].inertia[axis], twin.body[body].inertia[axis]))
 
     def tell_arcs(self, body: str) -> None:
-        """Write nothing: the angle itself is followed."""
+        """Write nothing, since the angle itself is a coordinate."""
         del body
 
     # ---- springs
 
     def spring(self, what: str, line: str) -> Polynomial:
-        """Return a number of a spring; the ``strain`` and the ``length`` are those at the end."""
+        """Return a parameter of a spring; the ``strain`` and the ``length`` are those at the end."""
         if what == "length":
             return self._equations.length(line)
         if what == "strain":
@@ -134,7 +134,7 @@ class EndState(Way):
         return self._equations.law(line, what)
 
     def growth(self, kind: str, line: str) -> Polynomial:
-        """Return the rate of the length; no growth is left, since lengths are those at the end."""
+        """Return the rate of a line's length; its growth is zero, since lengths are those at the end."""
         return self._equations.length(line, "rate") if kind == "v" else NIL
 
 
@@ -220,7 +220,7 @@ VALUES: Mapping[str, Callable[[PhaseEquations, Target], Expression]] = {
 
 
 def write_quantity(setting: Setting, book: Book, end: PhaseEquations) -> Symbol:
-    """Write how the quantity asked about follows from the last state; return its symbol.
+    """Write the quantity asked for from the last state, and return its symbol.
 
     Raises:
         UnsolvedError: the question asks for no quantity, or it has no formula.

@@ -1,4 +1,4 @@
-"""The equations of one phase of a motion, as polynomials of the coordinates, their derivatives, forces and the time."""
+"""The equations of one phase of a motion, as polynomials of coordinates, their derivatives, forces and time."""
 
 from collections.abc import Mapping
 
@@ -18,20 +18,20 @@ from sim2reason.solutions.solution import Relation
 from sim2reason.solutions.writing.lexicon import Both
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 
-STILL = 1e-12  # of the largest acceleration: rounding
-LETTERS = {"foot": "N", "hold": "f", "stuck": "F", "prop": "N"}  # for the forces of rows; all others are tensions
+STILL = 1e-12  # relative to the largest acceleration: below it an acceleration counts as zero
+LETTERS = {"foot": "N", "hold": "f", "stuck": "F", "prop": "N"}  # for constraint forces; others are tensions
 
 
 class PhaseEquations:
-    """The equations of motion of a segment in given symbols, and the kinematics of bodies and lines in them."""
+    """The equations of motion of a segment in given symbols, and the kinematics of bodies and lines."""
 
     def __init__(
         self, setting: Setting, book: Book, segment: Segment, names: Names, forces: Mapping[str, Symbol]
     ) -> None:
-        """Read the equations; `forces` has the symbols of forces, by ``row`` or ``face`` and number.
+        """Derive the equations; `forces` has the symbols of forces, by ``row`` or ``face`` and number.
 
         Raises:
-            UnsolvedError: an equation has no form in the numbers of the text.
+            UnsolvedError: an equation cannot be expressed in the numbers of the text.
         """
         self.setting, self.book, self.segment, self.names = setting, book, segment, names
         self.mechanism, self.lexicon = setting.mechanism, setting.lexicon
@@ -48,28 +48,28 @@ class PhaseEquations:
 
     @cached_property
     def rows(self) -> list[int]:
-        """Return the numbers of the constraints that act."""
+        """Return the indices of the active constraints."""
         return [n for n in range(len(self.segment.kinds)) if self.segment.found.mode.acting[n]]
 
     @cached_property
     def rough(self) -> dict[int, int]:
-        """Return the rough faces with the side to which each slips; 0 if it holds."""
+        """Return, by rough face, the sign of the slip velocity; 0 if the contact sticks."""
         rough = [n for n, face in enumerate(self.mechanism.faces) if face.friction > 0.0]
         return dict(zip(rough, self.segment.found.mode.rubbing, strict=True))
 
     def kind(self, row: int) -> RowKind:
-        """Return what a constraint is."""
+        """Return the kind of a constraint."""
         return self.segment.kinds[row]
 
     def force(self, of: str, number: int) -> Polynomial:
-        """Return the force of a row, or the normal force or friction of a face."""
+        """Return the force of a constraint, or the normal force or friction on a face."""
         return Polynomial.of(self.forces[f"{of}{number}"])
 
     # ---- equations
 
     @cached_property
     def laws(self) -> list[Relation]:
-        """Return the equations of motion of all coordinates, then the constraints and the forces of faces."""
+        """Return the equations of motion of all coordinates, then the constraints and the forces on faces."""
         size = len(self.mechanism.coordinates)
         loads = [
             self.motion.load(k) - total(self.motion.pull(n, k) * self.force("row", n) for n in self.rows)
@@ -100,7 +100,7 @@ class PhaseEquations:
         return self.steady and abs(self.segment.found.a[k]) <= STILL * max(map(abs, self.segment.found.a))
 
     def _reduced(self, left: Polynomial, right: Polynomial) -> tuple[Polynomial, Polynomial]:
-        """Divide an equation by the given numbers that all of its terms share, and by a minus sign."""
+        """Return both sides of an equation divided by their common given factors and sign."""
         shared = common([*left.terms, *right.terms])
         kept = tuple((atom, power) for atom, power in shared if isinstance(atom, Symbol) and self._is_fixed(atom.name))
         sign = -1.0 if left.terms and all(part < 0.0 for part in left.terms.values()) else 1.0
@@ -110,7 +110,7 @@ class PhaseEquations:
         return divided_sides[0], divided_sides[1]
 
     def _is_fixed(self, name: str) -> bool:
-        """Return whether a symbol is a number of the text that is not zero."""
+        """Return whether a symbol is a nonzero number of the text."""
         return self.setting.is_given(name) and self.book.values.get(name, 0.0) != 0.0
 
     def _contact(self, face: int, side: int, loads: list[Polynomial]) -> list[tuple[Expression, Expression]]:
@@ -131,26 +131,26 @@ class PhaseEquations:
         return equations
 
     def is_round(self, face: int) -> bool:
-        """Return whether what lies on a face can roll on it."""
+        """Return whether the body on a face can roll on it."""
         return any(self.mechanism.coordinates[k].kind == "hinge" for k in self._slipping(face))
 
     def turning_inertia(self, face: int) -> str:
-        """Return the moment of inertia of what can roll on a face, in LaTeX; empty if it has no place in the laws."""
+        """Return the moment of inertia of the body that rolls on a face, in LaTeX; empty if no law has it."""
         turning = [k for k in self._slipping(face) if self.mechanism.coordinates[k].kind == "hinge"]
         held = self.motion.mass(turning[0], turning[0]) if len(turning) == 1 else Polynomial({})
         return held.expression().latex() if held else ""
 
     def _slipping(self, face: int) -> list[int]:
-        """Return the numbers of the coordinates whose rates are slip."""
+        """Return the indices of the coordinates whose rates enter the slip velocity."""
         return [self.mechanism.number[name] for name, _ in self.mechanism.faces[face].slip]
 
     def pressing(self, face: int) -> Polynomial:
-        """Return the normal force on a face as Newton's second law gives it."""
+        """Return the normal force on a face from Newton's second law."""
         lifted = total(self.motion.lifted(n, face) * self.force("row", n) for n in self.rows)
         return self.motion.pressing(face) + lifted
 
     def slip(self, face: int) -> Polynomial:
-        """Return the velocity with which the surfaces at a face slip."""
+        """Return the slip velocity of the surfaces at a face, m/s."""
         slips = enumerate(self.mechanism.faces[face].slip)
         return total(
             self._slip(face, place) * self.names.rate(self.mechanism.number[name]) for place, (name, _) in slips
@@ -174,7 +174,7 @@ class PhaseEquations:
         return self.motion.number(Both(faces[0].slip[place][1], faces[1].slip[place][1]))
 
     def sampled(self, times: Array) -> dict[str, Array]:
-        """Return the values of all symbols at some instants of the phase in the motion of the engine, each (m,)."""
+        """Return the values of all symbols, each (m,), at instants of the phase in the engine's motion."""
         state = self.setting.motion.state(times)
         found = {name: np.full(len(times), value) for name, value in self.book.values.items()}
         found[self.names.time.name] = times
@@ -188,7 +188,7 @@ class PhaseEquations:
         return found
 
     def _force_values(self, key: str, state: State) -> Array:
-        """Return the values of a force along a motion; not a number where the engine does not record it."""
+        """Return the values of a force along a motion, (m,); NaN where the engine does not record it."""
         of, number = key.rstrip("0123456789"), int(key.lstrip("abcdefghijklmnopqrstuvwxyz"))
         if of == "row":
             kind = self.segment.kinds[number]
@@ -200,14 +200,14 @@ class PhaseEquations:
     # ---- kinematics
 
     def hinge(self, body: str) -> int:
-        """Return the number of the coordinate that turns a body; UnsolvedError if there is none, or more than one."""
+        """Return the index of the coordinate that rotates a body; UnsolvedError unless there is exactly one."""
         hinges = start(self.mechanism)[body].hinges
         if len(hinges) != 1:
             raise UnsolvedError("it does not turn about a single axle")
         return hinges[0].number
 
     def triple(self, part: str, body: str) -> Components:
-        """Return the ``place`` or ``velocity`` of the centre of mass of a body, by component along the room's axes."""
+        """Return the ``place`` or ``velocity`` of a body's centre of mass, by component in the world frame."""
         here, there = (getattr(a.frames.center(body), part) for a in self.motion.assemblies)
         x, y, z = (self.motion.read(one, other) for one, other in zip(here, there, strict=True))
         return x, y, z
@@ -240,7 +240,7 @@ class PhaseEquations:
         return self.motion.read(here, there)
 
     def law(self, line: str, part: str) -> Polynomial:
-        """Return a number of the law of a line: its ``stiffness``, natural ``length``, ``damping`` or ``force``."""
+        """Return a parameter of a line's law: its ``stiffness``, natural ``length``, ``damping`` or ``force``."""
         number = self.mechanism.lines.index(self.mechanism.line[line])
         laws = (m.lines[number].law for m in (self.lexicon.mechanism, self.lexicon.twin))
         here, there = (float(getattr(law, part)) for law in laws)
@@ -248,7 +248,7 @@ class PhaseEquations:
 
 
 def amid(setting: Setting, segment: Segment) -> State:
-    """Return the state in the middle of a segment: at its ends a body may be on the border of a region."""
+    """Return the state in the middle of a segment, since its ends may lie on the border of a region."""
     motion, begins = setting.motion, segment.start
     ends = min((held.start for held in motion.segments if held.start > begins), default=motion.end)
     return motion.state(np.array([0.5 * (begins + ends)]))

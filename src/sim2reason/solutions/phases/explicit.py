@@ -1,4 +1,4 @@
-"""Accelerations and forces that a few linear laws give, as formulas of what is known before."""
+"""Accelerations and forces that a few linear laws determine, as formulas of known numbers."""
 
 from collections.abc import Collection, Mapping, Sequence
 
@@ -8,14 +8,14 @@ from sim2reason.solutions.algebra.inverse import put, solved_for
 from sim2reason.solutions.closed_forms import ClosedFormError, shortened
 from sim2reason.solutions.solution import Relation
 
-FEW = 4  # laws that are solved by formulas
-LONG = 80  # characters of a formula that is told beside its number
+FEW = 4  # largest number of laws that are solved by formulas
+LONG = 80  # maximum length of the LaTeX of a formula that is written beside its number
 
 
 def explicit(laws: Sequence[Relation], names: Collection[str], values: Mapping[str, float]) -> dict[str, Expression]:
-    """Return the short ones among the formulas of names that laws determine; none for many laws.
+    """Return the short formulas, by name, of the unknowns that laws determine; empty for many laws.
 
-    `values` has the values of all names.
+    `values` holds the values of all names.
     """
     chain: list[tuple[str, Expression]] = []
     waiting = [added(law.left, -law.right) for law in laws] if len(laws) <= FEW else []

@@ -1,4 +1,4 @@
-"""Extreme values and accumulated quantities within phases, and phases that are integrated numerically."""
+"""Extreme values and accumulated quantities within phases, and the text of phases integrated numerically."""
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
@@ -33,7 +33,7 @@ def value_of(functional: str, name: str, trace: Trace, end: float) -> float:
     """Return the value of a functional from the start to a time (s) in the motion of the engine.
 
     Raises:
-        UnsolvedError: it has none.
+        UnsolvedError: the functional has no value.
     """
     found = FUNCTIONALS[functional].value(trace, name, end)
     if found is None:
@@ -92,12 +92,12 @@ ACCUMULATION_RATES: Mapping[str, Callable[[PhaseEquations, str], Expression]] = 
 }
 
 
-SAMPLES = 4000  # instants at which the quantity is looked at
+SAMPLES = 4000  # instants at which the quantity is evaluated
 ROUNDS = 60  # bisections of an interval with the zero of a rate
 
 
 def top(motion: Motion, functional: str, name: str, end: float) -> float:
-    """Return about when an extreme functional of a subject has its value, s, in the motion up to `end`."""
+    """Return the approximate time, s, of an extreme functional's value in the motion up to `end`."""
     found = FUNCTIONALS[functional]
     if not isinstance(found, Extreme):
         raise UnsolvedError(f"{functional} is no greatest or least value")
@@ -106,13 +106,13 @@ def top(motion: Motion, functional: str, name: str, end: float) -> float:
 
 
 def quantity_of(functional: str) -> str:
-    """Return the quantity whose greatest or least value a functional is; empty if it is none."""
+    """Return the quantity whose extreme value a functional is; empty if it is none."""
     found = FUNCTIONALS[functional]
     return found.quantity.name if isinstance(found, Extreme) else ""
 
 
 def rate_formulas(equations: PhaseEquations, functional: str, name: str) -> list[Expression]:
-    """Return formulas that vanish where the functional is extreme, the simplest first.
+    """Return formulas that vanish at the extreme value of a functional, the simplest first.
 
     Raises:
         UnsolvedError: no formula is known for its quantity.
@@ -185,12 +185,12 @@ EXTREME_RATES: Mapping[str, Callable[[PhaseEquations, str], list[Expression]]] =
 }
 
 
-LONG = 900  # characters of an equation: a longer one is not written
+LONG = 900  # maximum length of the LaTeX of an equation that is written out
 ORDINALS = ("", "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
 
 
 def tell_problem(book: Book, step: Writing, integration: Integration, *, first: bool, letter: str) -> None:
-    """Write the equations and initial values of a phase; roots that occur several times get a name."""
+    """Write the equations and initial values of a phase; roots that occur several times get a symbol."""
     sides = [side for law in integration.equations for side in (law.left, law.right)]
     count = Counter(root for side in sides for root in _roots(side))
     named = {root: book.fresh(letter) for root, times in count.items() if times > 1}
@@ -210,7 +210,7 @@ def tell_problem(book: Book, step: Writing, integration: Integration, *, first: 
 
 
 def tell_end(book: Book, integration: Integration, said: str, used: frozenset[str]) -> str:
-    """Return the sentence about the end of a phase, with those values on which something later rests."""
+    """Return the sentence about the end of a phase, with the values that later steps use."""
     condition = integration.until
     kept = [name for _, name in integration.ends if name in used]
     begins = {name for step in book.steps if step.integration is not None for name in step.integration.symbols()}
@@ -226,7 +226,7 @@ def tell_end(book: Book, integration: Integration, said: str, used: frozenset[st
 
 
 def _equation(formula: Expression) -> str:
-    """Return the equation that a formula is zero, in LaTeX with dollars; a symbol that is subtracted stands right."""
+    """Return the equation that a formula is zero, in LaTeX; a symbol that is subtracted becomes the right side."""
     if isinstance(formula, Sum) and isinstance(last := -formula.terms[-1], Symbol):
         return f"${reduce(added, formula.terms[:-1]).latex()} = {last.name}$"
     return f"${formula.latex()} = 0$"
@@ -240,19 +240,19 @@ def _roots(formula: Expression) -> Iterator[Root]:
 
 
 def _with(formula: Expression, named: dict[Root, Symbol]) -> Expression:
-    """Return a formula with names in place of roots."""
+    """Return a formula with symbols in place of roots."""
     if isinstance(formula, Root) and formula in named:
         return named[formula]
     return formula.built_of([_with(part, named) for part in formula.parts]) if formula.parts else formula
 
 
-MOST_PHASES = 8  # a longer solution would not be read
-SAME_TIME = 1e-9  # relative: an event so close to the moment asked is that moment
+MOST_PHASES = 8  # largest number of phases of a solution that is still readable
+SAME_TIME = 1e-9  # relative tolerance of the time of an event at the moment of the question
 
 
 @dataclass(frozen=True, slots=True)
 class Stretch:
-    """A segment of the motion with the time, s, and the events that end it."""
+    """A segment of the motion with its end time, s, and the events that end it."""
 
     segment: Segment
     ends: float
@@ -260,7 +260,7 @@ class Stretch:
 
 
 def asked_time(setting: Setting) -> float:
-    """Return the time, s, at which the answer is decided; for an extreme value only about."""
+    """Return the time, s, of the moment that decides the answer; approximate for an extreme value."""
     query = setting.query
     if query.kind == "extremum" and isinstance(query, StretchQuery):
         return top(setting.motion, query.functional, query.name, setting.time)
@@ -268,7 +268,7 @@ def asked_time(setting: Setting) -> float:
 
 
 def stretches(setting: Setting, time: float) -> list[Stretch]:
-    """Return the stretches up to a time, s.
+    """Return the phases of the motion up to a time, s, each with its end time and events.
 
     Raises:
         UnsolvedError: there is none, there are too many, or one ends without an event.
@@ -292,7 +292,7 @@ def stretches(setting: Setting, time: float) -> list[Stretch]:
 
 
 def moment_words(setting: Setting) -> str:
-    """Return what happens at the moment asked about, as a statement; empty if the question has no words for it."""
+    """Return the event at the moment of the question as a statement; empty if the moment is no event."""
     moment = setting.query.moment
     if setting.query.kind == "extremum" or not isinstance(moment, Happening):
         return ""

@@ -18,10 +18,10 @@ from sim2reason.solutions.writing.unit_latex import IMPULSE
 
 
 class ForceSymbols:
-    """The symbols given so far, by what exerts the force, with their descriptions."""
+    """The symbols of the forces used so far, with their descriptions."""
 
     def __init__(self, setting: Setting, book: Book) -> None:
-        """Start without any."""
+        """Start without symbols."""
         self._setting, self._book = setting, book
         self._symbols: dict[str, Symbol] = {}
         self._untold: list[str] = []
@@ -74,17 +74,17 @@ class ForceSymbols:
 
 
 def initial_rates(lexicon: Lexicon, senses: Sequence[float]) -> list[Expression]:
-    """Return the initial rate of each coordinate, which counts in one of two `senses`, 1 or -1.
+    """Return the initial rate of each coordinate in the numbers of the text, times its sense, 1 or -1.
 
     Raises:
-        UnsolvedError: the text gives one neither as a number nor by a simple function of numbers.
+        UnsolvedError: a rate is not a simple function of the numbers in the text.
     """
     pairs = zip(lexicon.mechanism.coordinates, lexicon.twin.coordinates, senses, strict=True)
     return [_speed(lexicon, Both(sense * a.speed, sense * b.speed)) for a, b, sense in pairs]
 
 
 def _speed(lexicon: Lexicon, speed: Both) -> Expression:
-    """Return an initial rate in the numbers of the text; an angular one may be a speed over a length."""
+    """Return an initial rate in the numbers of the text; an angular one may be a speed divided by a length."""
     for length in (None, *lexicon.lengths):
         try:
             if length is None:
@@ -95,19 +95,19 @@ def _speed(lexicon: Lexicon, speed: Both) -> Expression:
     raise UnsolvedError(f"the initial rate {speed.here:.6g} is no simple function of the numbers in the text")
 
 
-AGREES = 1e-8  # relative: how well the velocities after an impact agree with those of the engine
+AGREES = 1e-8  # relative tolerance of the velocities after an impact to those of the engine
 CONTINUOUS = 1e-9  # relative: a velocity that changes by less at an event is continuous
 
 
 class Jump:
-    """The relations between the velocities just before and just after an event, all in the symbols of its instant."""
+    """The relations between the velocities just before and just after an event."""
 
     def __init__(self, before: PhaseEquations, after: Sequence[Symbol], events: Sequence[Event]) -> None:
-        """`before` are the equations of the ended phase at its end; `after` are the symbols of the new rates."""
+        """Take the equations `before` the event at its instant, and the symbols of the rates `after` it."""
         self._before, self._after, self._events = before, after, events
 
     def relations(self, rows: Sequence[int], impulses: Sequence[Symbol]) -> list[Relation]:
-        """Return conservation laws for all coordinates, then what each impulse does.
+        """Return the impulse equations of all coordinates, then the condition for each impulse.
 
         `rows` are the strings that are taut during the event; `impulses` has a symbol for each collision, then for
         each of these rows.
@@ -139,7 +139,7 @@ class Jump:
 
     @property
     def pairs(self) -> list[int]:
-        """Return the numbers of the pairs that collide."""
+        """Return the indices of the pairs that collide."""
         hit = [set(event.subjects) for event in self._events if event.kind == "collision"]
         return [n for n, held in enumerate(self._before.mechanism.meetings) if set(held.names) in hit]
 
@@ -155,10 +155,10 @@ class Jump:
 def write_jump(
     before: PhaseEquations, following: Segment, events: Sequence[Event], number: int
 ) -> tuple[Symbol, ...] | None:
-    """Write what changes at an event, and return the symbols of the new rates; None if all velocities are continuous.
+    """Write the velocity changes at an event and return the symbols of the new rates; None if continuous.
 
     Raises:
-        UnsolvedError: the laws do not give the velocities with which the engine goes on.
+        UnsolvedError: the laws do not lead to the engine's velocities after the event.
     """
     book, names, segment = before.book, before.names, before.segment
     old = [book.values[rate.name] for rate in names.rates]
@@ -201,7 +201,7 @@ def _fresh(book: Book, rate: Symbol, value: float) -> Symbol:
 
 
 def _taut(segment: Segment, following: Segment, row: int) -> bool:
-    """Return whether a constraint acts during the event: it acts before or after it."""
+    """Return whether a constraint is active during the event, that is, before or after it."""
     after = (
         row < len(following.kinds) and following.kinds[row] == segment.kinds[row] and following.found.mode.acting[row]
     )
@@ -209,7 +209,7 @@ def _taut(segment: Segment, following: Segment, row: int) -> bool:
 
 
 def _impulses(relations: Sequence[Relation], unknowns: Sequence[str], values: dict[str, float]) -> dict[str, float]:
-    """Solve the relations of an event for the impulses, with the velocities of the engine after it."""
+    """Return the impulses, N s by symbol, from the relations of an event and the engine's velocities after it."""
 
     def excess(at: dict[str, float]) -> list[float]:
         return [float((r.left.value(at) - r.right.value(at)).real) for r in relations]

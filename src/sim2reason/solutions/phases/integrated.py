@@ -1,4 +1,4 @@
-"""The phases of a motion written in order, each from the state in which the one before it ends."""
+"""The phases of a motion written in order, each from the final state of the one before."""
 
 from collections.abc import Callable, Iterable
 from dataclasses import replace
@@ -40,8 +40,8 @@ from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.subscripts import split
 from sim2reason.solutions.writing.unit_latex import DEGREES, NEWTONS, SECONDS, latex, unit_of_quantity
 
-NOTHING = 1e-12  # in SI units: the rounding of zero
-WIDTH = 2e-3  # of the time asked: around an extreme value, where its rate changes sign
+NOTHING = 1e-12  # in SI units: tolerance of zero
+WIDTH = 2e-3  # half-width of the search for an extreme value, relative to the time of the question
 ASKED = "the moment asked about"
 FORCES = frozenset(
     {"acceleration", "angular acceleration", "tension", "normal force", "friction force", "net force", "torque"}
@@ -57,10 +57,10 @@ def _excess(inner: PhaseEquations, target: Target, given: StatedResult) -> Expre
 
 
 class IntegratedPhases:
-    """The solution of one problem, phase by phase: in closed form where accelerations are constant, else integrated."""
+    """The solution of a problem phase by phase: closed form at constant acceleration, else integrated."""
 
     def __init__(self, setting: Setting, book: Book, *, integrates: bool = True) -> None:
-        """Choose coordinates; nothing is written yet. Unless it `integrates`, accelerations must not change."""
+        """Choose coordinates; unless `integrates`, accelerations must be constant in each phase."""
         self._integrates = integrates
         self.setting, self.book, self.mechanism = setting, book, setting.mechanism
         chosen = choose(setting, book)
@@ -71,11 +71,11 @@ class IntegratedPhases:
         self._places = [origin.expression() for origin in self.names.origins]
         self._rates = initial_rates(setting.lexicon, self.names.senses)
         self._sum: Symbol | None = None
-        self._composed: dict[int, Callable[[frozenset[str]], str]] = {}  # by number of a step, its last sentence
-        self._introduced = 0  # the number of the step that names coordinates
+        self._composed: dict[int, Callable[[frozenset[str]], str]] = {}  # last sentence of a step, by its number
+        self._introduced = 0  # number of the step that names coordinates
 
     def write(self) -> str:
-        """Write all steps and return the symbol of the answer; UnsolvedError where an equation cannot be written."""
+        """Write all steps and return the symbol of the answer; UnsolvedError if an equation cannot be written."""
         found = stretches(self.setting, self.time)
         self._introduce()
         end: PhaseEquations | None = None
@@ -89,7 +89,7 @@ class IntegratedPhases:
         return answer if not self.setting.unknown else self.book.sought
 
     def _check_names(self) -> None:
-        """Refuse equations with a name that has no value, or none in the numbers of the text."""
+        """Raise UnsolvedError if an equation has a name without a value in the numbers of the text."""
         names = {name for step in self.book.steps for name in step.symbols()}
         self._refuse_unread(names)
         if unknown := sorted(names - {*self.book.values, *self.book.observed}):
@@ -118,7 +118,7 @@ class IntegratedPhases:
     # ---- one phase
 
     def _phase(self, stretch: Stretch, *, last: bool, several: bool) -> PhaseEquations:
-        """Write one phase and what happens at its end; return its equations in the symbols of that instant."""
+        """Write one phase and the event at its end; return its equations in the symbols of that instant."""
         inner = self._inner(stretch.segment)
         if stretch.events:
             conditions = [event_condition(inner, event) for event in stretch.events]
@@ -157,9 +157,9 @@ class IntegratedPhases:
         step.close()
 
     def _handed_on(self, outer: PhaseEquations, stretch: Stretch) -> PhaseEquations:
-        """Write how velocities change at the event that ends a phase, unless the moment asked is just before it.
+        """Write the velocity changes at the event that ends a phase, unless the moment is just before it.
 
-        Return the equations in the symbols of the instant that is asked about, where it is this one.
+        Return the equations in the symbols of the instant of the question, if it is this one.
         """
         query, moment = self.setting.query, self.setting.query.moment
         following = next((s for s in self.setting.motion.segments if s.start == stretch.ends), None)
@@ -177,7 +177,7 @@ class IntegratedPhases:
         return PhaseEquations(self.setting, self.book, stretch.segment, names, outer.forces)
 
     def _inner(self, segment: Segment) -> PhaseEquations:
-        """Return the equations of a segment, in a copy of the book that has their values in the middle of it."""
+        """Return the equations of a segment, in a copy of the builder with the values in its middle."""
         draft = self.book.copy()
         found = PhaseEquations(self.setting, draft, segment, self.names, self._forces.of(segment))
         for name, values in found.sampled(amid(self.setting, segment).times).items():
@@ -198,7 +198,7 @@ class IntegratedPhases:
         return moment_conditions(inner, query.moment)
 
     def _ended(self, inner: PhaseEquations, stretch: Stretch) -> tuple[Names, dict[str, Symbol]]:
-        """Name the values at the end of a phase, before what changes there; the book learns them from the engine."""
+        """Return the symbols of coordinates and forces at the end of a phase, with the engine's values."""
         names = self.names
         side = float(np.nextafter(stretch.ends, 0.0)) if stretch.events else stretch.ends
         sampled = inner.sampled(np.array([side]))
@@ -229,7 +229,7 @@ class IntegratedPhases:
         time: float,
         happens: str,
     ) -> None:
-        """Write the initial-value problem of a phase, and leave its results to be told in the end."""
+        """Write the initial-value problem of a phase; its results are added at the end."""
         own, (names, forces) = self.names, end
         inside = (own.time, *own.places, *own.rates, *own.accelerations, *(inner.forces[key] for key in forces))
         outside = (names.time, *names.places, *names.rates, *names.accelerations, *forces.values())
@@ -260,7 +260,7 @@ class IntegratedPhases:
 
     @property
     def _adds_up(self) -> bool:
-        """Return whether the question asks for something that adds up over the motion."""
+        """Return whether the question asks for a quantity that accumulates over the motion."""
         query = self.setting.query
         return isinstance(query, StretchQuery) and query.functional in ACCUMULATION_RATES
 
@@ -280,7 +280,7 @@ class IntegratedPhases:
         return latex(KINDS[self.setting.query.kind].measured(self.setting.query).unit)
 
     def _compose(self, answer: str) -> None:
-        """Complete the text of each phase with the values on which later steps rest."""
+        """Complete the text of each phase with the values that later steps use."""
         used = frozenset(name for step in self.book.steps for name in step.symbols()) | {answer}
         for number, text in self._composed.items():
             step = self.book.steps[number]
@@ -299,7 +299,7 @@ class IntegratedPhases:
     # ---- the answer
 
     def _answer(self, end: PhaseEquations) -> str:
-        """Write how the answer follows from the last state; return its symbol."""
+        """Write the answer from the last state, and return its symbol."""
         setting, query = self.setting, self.setting.query
         if self._sum is not None:
             found = self._sum

@@ -21,12 +21,12 @@ from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.subscripts import split
 from sim2reason.solutions.writing.unit_latex import SECONDS
 
-LAWS, STATE = "steady laws", "steady state"  # the kinds of steps of which parts may be left out
-HELD = 1e-9  # of the largest weight: rounding
+LAWS, STATE = "steady laws", "steady state"  # kinds of steps of which parts may be left out
+HELD = 1e-9  # relative to the largest weight: rounding errors
 
 
 def laws_text(relations: Sequence[Relation], values: Mapping[str, float]) -> str:
-    """Return the sentences about laws, and what they lead to where they do not give it by themselves."""
+    """Return sentences with the laws, and with the accelerations that they give if they must be solved."""
     laws = [relation for relation in relations if relation.role == "law"]
     found = [r for r in relations if r.role != "law" and values[_name(r)]]
     turns = any(split(name)[0] == r"\alpha" for law in laws for name in law.symbols())
@@ -38,7 +38,7 @@ def laws_text(relations: Sequence[Relation], values: Mapping[str, float]) -> str
 
 
 def _told(found: Relation, value: float) -> str:
-    """Return a name with its number, and with the formula that it has."""
+    """Return a name with its value and its formula, in LaTeX."""
     if isinstance(found.right, Number):
         return f"${_name(found)} = {with_unit(value, found.unit)}$"
     return found.latex(value)
@@ -52,7 +52,7 @@ def state_text(relations: Sequence[Relation], values: Mapping[str, float]) -> st
 
 
 def pruned(steps: Sequence[Step], goal: str, values: Mapping[str, float]) -> list[Step]:
-    """Return the steps without what the goal does not rest on; their numbers stay."""
+    """Return the steps without the parts on which the goal does not depend; step numbers are unchanged."""
     used, found = {goal}, list[Step]()
     for step in reversed(steps):
         kept = step
@@ -72,7 +72,7 @@ def pruned(steps: Sequence[Step], goal: str, values: Mapping[str, float]) -> lis
 
 
 def _with_needed_laws(step: Step, used: AbstractSet[str], values: Mapping[str, float]) -> Step:
-    """Return a step with the laws that determine what is used, and no others."""
+    """Return a step reduced to the laws that determine the names in use."""
     laws = [relation for relation in step.relations if relation.role == "law"]
     wanted = [name for name in step.gives if name in used]
     matrix = _coefficients(laws, step.gives, values)
@@ -93,7 +93,7 @@ def _with_needed_laws(step: Step, used: AbstractSet[str], values: Mapping[str, f
 
 
 def _coefficients(laws: Sequence[Relation], unknowns: Sequence[str], values: Mapping[str, float]) -> Array:
-    """Return what stands before each unknown in each law, (laws, unknowns); laws are linear in them."""
+    """Return the coefficient of each unknown in each law, (laws, unknowns); laws are linear in them."""
 
     def excess(at: Mapping[str, float]) -> Array:
         return np.array([float((law.left.value(at) - law.right.value(at)).real) for law in laws])
@@ -116,12 +116,12 @@ def _name(relation: Relation) -> str:
     return relation.left.name if isinstance(relation.left, Symbol) else ""
 
 
-CONTACT = "contact"  # the kind of these steps, each about one face
+CONTACT = "contact"  # kind of the steps about one face
 _NAMED = re.compile(r"\$([^$]*)\$")
 
 
 def tell_contacts(inner: PhaseEquations, book: Book, forces: Mapping[str, Symbol]) -> None:
-    """Write for each rough face what slips or sticks there, the direction of friction, and what forces are called."""
+    """Write for each rough face whether it slips or sticks, the direction of friction, and the symbols."""
     for face, side in inner.rough.items():
         step, who = book.open(CONTACT), inner.setting.called(inner.mechanism.faces[face].subject)
         step.say(_slipping(inner, face, side, who, forces) if side else _sticking(inner, face, who, forces))
@@ -132,7 +132,7 @@ def tell_contacts(inner: PhaseEquations, book: Book, forces: Mapping[str, Symbol
 
 
 def _slipping(inner: PhaseEquations, face: int, side: int, who: str, forces: Mapping[str, Symbol]) -> str:
-    """Return the directions of slip and of friction, and the name of the normal force."""
+    """Return a sentence with the directions of slip and of friction, and the symbol of the normal force."""
     ways, under = [_way(inner, face, sign) for sign in (side, -side)], _under(inner, face)
     slides, where = ("slips", " at the point of contact") if inner.is_round(face) else ("slides", "")
     normal = f"the normal force on {who} is ${forces[f'normal{face}'].latex()}$."
@@ -142,14 +142,14 @@ def _slipping(inner: PhaseEquations, face: int, side: int, who: str, forces: Map
 
 
 def _sticking(inner: PhaseEquations, face: int, who: str, forces: Mapping[str, Symbol]) -> str:
-    """Return that nothing slips, and the name of the static friction, with the direction in which it is positive."""
+    """Return a sentence that a contact sticks, with the symbol and positive direction of the friction."""
     way, holds = _way(inner, face, 1), "rolls without slipping" if inner.is_round(face) else "does not slip"
     counted = f", counted positive {way}," if way else ""
     return f"{capital(who)} {holds}; the static friction on it{counted} is ${forces[f'friction{face}'].latex()}$."
 
 
 def with_used_contacts(steps: Sequence[Step]) -> list[Step]:
-    """Return steps without contacts whose forces the laws that follow do not have."""
+    """Return steps without the text of contacts whose forces the following laws do not contain."""
     found: list[Step] = []
     for number, step in enumerate(steps):
         if step.kind == CONTACT:
@@ -176,20 +176,20 @@ def _way(inner: PhaseEquations, face: int, sense: int) -> str:
 
 
 def _under(inner: PhaseEquations, face: int) -> str:
-    """Return a reminder that the surface moves, too, if it does."""
+    """Return a phrase that the slip is relative to a moving surface; empty if the surface is fixed."""
     m = inner.mechanism
     slides = [name for name, _ in m.faces[face].slip if m.coordinates[m.number[name]].kind == "slide"]
     return " relative to the surface under it" if len(slides) > 1 else ""
 
 
 Start = tuple[Expression, Sequence[Expression], Sequence[Expression]]
-"""The time at which a phase begins, the coordinates and the rates there."""
+"""The time at which a phase begins, and the coordinates and rates at that time."""
 HALF = Number(0.5)
-LONG = 200  # characters of a duration that is written as a formula
+LONG = 200  # maximum length of the LaTeX of a duration that is written as a formula
 
 
 class SteadyPhase:
-    """One phase in which all accelerations and forces are constant."""
+    """A phase in which all accelerations and forces are constant."""
 
     def __init__(
         self, inner: PhaseEquations, start: tuple[Expression, Sequence[Expression], Sequence[Expression]]
@@ -201,7 +201,7 @@ class SteadyPhase:
     def write(self, book: Book, names: Names, forces: dict[str, Symbol], formula: Expression, said: str) -> None:
         """Write the accelerations, the duration until a formula vanishes, and the state at the end.
 
-        The book knows the values of the end, in `names` and `forces`, already.
+        The builder knows the final values of `names` and `forces` already.
 
         Raises:
             UnsolvedError: the formula contains a force or an acceleration.
@@ -239,7 +239,7 @@ class SteadyPhase:
         step.close()
 
     def _last(self, book: Book, names: Names, formula: Expression, said: str) -> Symbol:
-        """Write how long the phase lasts."""
+        """Write the duration of the phase, s, and return its symbol."""
         first = self._begin == ZERO  # what lasts until an instant is its time
         span = names.time if first else book.fresh(r"\tau")
         near = book.values[names.time.name] - book.value(self._begin)
@@ -259,7 +259,7 @@ class SteadyPhase:
         return span
 
     def _how(self) -> str:
-        """Return how the phase goes on, in words: at constant velocities, where nothing accelerates in it."""
+        """Return how the phase proceeds, in words, such as *All velocities remain constant*."""
         inner = self._inner
         if not all(inner.is_still(k) for k in range(len(inner.mechanism.coordinates))):
             return "This goes on"
@@ -277,7 +277,7 @@ class SteadyPhase:
         return added(self._rates[k], self._bent(k, names, span))
 
     def _bent(self, k: int, names: Names, factor: Expression) -> Expression:
-        """Return the acceleration times a factor; zero where it is zero."""
+        """Return the acceleration of a coordinate times a factor; zero if the coordinate is not accelerated."""
         zero = self._inner.is_still(k)
         return ZERO if zero else multiplied(names.accelerations[k], factor)
 

@@ -1,4 +1,4 @@
-"""Strategies, one a file: which problems each can solve, at what cost, and how it writes the solution."""
+"""Strategies, one per module: each states which problems it can solve at which cost, and writes the solution."""
 
 from abc import ABC, abstractmethod
 from typing import ClassVar
@@ -14,16 +14,16 @@ from sim2reason.solutions.writing.steps import Book
 
 
 class Strategy(ABC):
-    """A way to solve problems of one family.
+    """A method for deriving worked solutions of one family of problems.
 
     Class data:
-        name: under which it is registered.
-        cost: how long its solutions are compared with others'; the cheapest that applies is written.
-        kinds: of questions that it can answer.
-        least_need: the mathematics that each of its solutions takes at least.
-        integrates: whether it derives nothing, and the answer is what a numerical integration gives.
-        nested: whether it leaves to other strategies what its question is about, as a comparison does.
-        finished: whether its steps are ordered and merged already as a text shows them.
+        name: the name under which it is registered.
+        cost: typical length of its solutions; applicable strategies are tried in the order of cost.
+        kinds: the kinds of questions that it can answer.
+        least_need: the mathematics that each of its solutions needs at least.
+        integrates: whether the answer comes from numerical integration instead of a derivation.
+        nested: whether it delegates an inner question to other strategies, as a comparison does.
+        finished: whether its steps are ordered and merged for the text already.
     """
 
     name: ClassVar[str]
@@ -35,38 +35,38 @@ class Strategy(ABC):
     finished: ClassVar[bool] = False
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Why it applies to nothing that could be asked about a mechanism, in a few words; by default it may apply."""
+        """Return why the strategy cannot apply to a mechanism, in a few words; empty, the default, if it may."""
         del mechanism
         return ""
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """The kinds of question about a mechanism that it answers by formulas which may fit into a box; by default all.
+        """Return the question kinds that the strategy answers for a mechanism by a compact formula; by default all.
 
-        Elsewhere it finds numbers on the way, or what it writes only grows.
+        For other kinds it needs intermediate numbers, or its formulas become too long.
         """
         del mechanism
         return frozenset[str]() if self.integrates else self.kinds
 
     @abstractmethod
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply to a question about a mechanism for which it is not unfit; empty if it does."""
+        """Return why the strategy does not apply to a question about a suitable mechanism; empty if it does."""
 
     @abstractmethod
     def write(self, setting: Setting, book: Book) -> str:
-        """Write all steps, and say which symbol is the answer, in SI units; UnsolvedError where it finds no way."""
+        """Write all steps and return the symbol of the answer; raise UnsolvedError if the derivation fails."""
 
 
 STRATEGIES: Registry[Strategy] = Registry("solutions.strategies")
 
 
 def strategy(cls: type[Strategy]) -> type[Strategy]:
-    """Enter a strategy under its name."""
+    """Register a strategy under its name; a class decorator."""
     STRATEGIES.add(cls.name, cls())
     return cls
 
 
 def fitting(mechanism: Mechanism) -> list[Strategy]:
-    """Return the strategies that are fit for a mechanism, the cheapest first."""
+    """Return the strategies that may apply to a mechanism, the cheapest first."""
     fit = (held for held in STRATEGIES.values() if not held.unfit(mechanism))
     return mechanism.once("fitting strategies", lambda: sorted(fit, key=lambda held: held.cost))
 
@@ -81,7 +81,7 @@ def offered(kind: str, mechanism: Mechanism, *, derived: bool = False) -> list[S
 
 
 def deriving(kind: str, mechanism: Mechanism) -> list[Strategy]:
-    """Return the strategies that may lead to a formula for a kind of question which is about no other question."""
+    """Return the strategies, not nested, that may derive a formula for a kind of question."""
     return mechanism.once(
         ("deriving strategies", kind),
         lambda: [held for held in offered(kind, mechanism, derived=True) if not held.nested],
@@ -89,17 +89,17 @@ def deriving(kind: str, mechanism: Mechanism) -> list[Strategy]:
 
 
 def closed(kind: str, mechanism: Mechanism) -> list[Strategy]:
-    """Return the strategies that may answer a kind of question without any numerical integration."""
+    """Return the strategies that may answer a kind of question without numerical integration."""
     return [held for held in offered(kind, mechanism) if not held.integrates]
 
 
 def varying_acceleration(mechanism: Mechanism) -> str:
-    """Return that accelerations change as it moves; empty where they only change at events."""
+    """Return the reason that accelerations vary between events; empty if they do not."""
     return "accelerations change as it moves" if changing(mechanism) else ""
 
 
 def no_goal(setting: Setting, moments: tuple[type[Moment], ...]) -> str:
-    """Return what of a query no way leads to: its moment, if it is none of `moments`, or its quantity; else empty."""
+    """Return why no goal fits a query: its moment is not one of `moments`, or its quantity has none; else empty."""
     if not isinstance(setting.query.moment, moments):
         return f"no way to the moment {type(setting.query.moment).__name__}"
     target = setting.target

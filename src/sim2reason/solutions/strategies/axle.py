@@ -1,4 +1,4 @@
-"""Axle: a rigid body that swings about a fixed horizontal axle; torque and moment of inertia, and its energy."""
+"""Axle: a rigid body that swings about a fixed horizontal axle, by torque, moment of inertia and energy."""
 
 from collections.abc import Mapping
 from math import cos
@@ -29,24 +29,24 @@ HALF, TWO = Number(0.5), Number(2.0)
 
 @strategy
 class Axle(Strategy):
-    """Bodies fixed together that turn about one axle, at the start or where the angle is known or follows."""
+    """The strategy for bodies fixed together on one axle, at the start or at a known or computable angle."""
 
     name = "energy and torque about an axle"
     cost = 1.1
     kinds = Strategy.kinds | {"extremum", "period", "sum"}
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
+        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         return "" if lone_axle(mechanism) else "nothing turns about a fixed axle by itself"
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         if isinstance(setting.query, PeriodQuery):
             return ""
         return unasked(setting, _Turning.WAYS)
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Return the moment of inertia, the angle, the angular speed, and what is asked."""
+        """Write the moment of inertia, the angle, the angular speed and the answer, and return its symbol."""
         query = setting.query
         if isinstance(query, PeriodQuery) and query.small:
             return small_oscillations(Arm(setting, book), book, query).name
@@ -54,12 +54,12 @@ class Axle(Strategy):
 
 
 class _Turning(AxleForces):
-    """A rigid body on an axle, and the quantities that are asked of it."""
+    """The quantities of a rigid body on an axle."""
 
     one_point = False
 
     def __init__(self, setting: Setting, book: Book) -> None:
-        """UnreadError where a number is no simple function of those in the text."""
+        """Read the parameters; raise UnreadError if one is not a simple function of the numbers in the text."""
         super().__init__(setting, book)
         self.arm = Arm(setting, book)
         self.first, self.launch, self.gravity = self.arm.first, self.arm.launch, self.arm.gravity
@@ -71,7 +71,7 @@ class _Turning(AxleForces):
     # ---- what is asked
 
     def write(self) -> Symbol:
-        """Write the answer to the query, and return its symbol."""
+        """Write the answer to the query and return its symbol."""
         query = self.setting.query
         if isinstance(query, PeriodQuery):
             return measured_period(self.book, query, self.times.frequency)
@@ -79,7 +79,7 @@ class _Turning(AxleForces):
 
     @cached_property
     def piece(self) -> Piece:
-        """The piece of the rigid body that is asked about."""
+        """Return the piece of the rigid body that is the subject of the question."""
         return self.arm.piece(self.setting.query.subject)
 
     @property
@@ -92,7 +92,7 @@ class _Turning(AxleForces):
 
     @cached_property
     def natural(self) -> Symbol:
-        """ω₀² = S g/I."""
+        """Write the angular frequency of small oscillations, ω₀² = S g/I, and return its symbol."""
         moment = self.arm.moment
         size = moment if self.falls else -moment
         formula = Root(size * self.gravity / self.arm.inertia)
@@ -100,17 +100,17 @@ class _Turning(AxleForces):
 
     @cached_property
     def spin(self) -> Expression:
-        """ω at the start."""
+        """Return the angular speed at the start, rad/s."""
         return self.launch
 
     @property
     def falls(self) -> bool:  # type: ignore[override]
-        """Return whether the centre of mass of all is on the side of the first piece."""
+        """Return whether the common centre of mass is on the side of the first piece."""
         return self.book.value(self.arm.moment) > 0.0
 
     @property
     def goes_round(self) -> bool:
-        """½ I ω₀² against the height of the top."""
+        """Return whether the energy ½ I ω₀² suffices to pass the highest point."""
         inertia, moment, g, rate = (
             self.book.value(part) for part in (self.arm.inertia, self.arm.moment, self.gravity, self.launch)
         )
@@ -118,7 +118,7 @@ class _Turning(AxleForces):
         return 0.5 * inertia * rate**2 > g * lift
 
     def _turned(self) -> Expression:
-        """Return where it turns back."""
+        """Write the angle of the turning point, and return it with its sign."""
         arm, g, rate = self.arm, self.gravity, self.launch
         if rate == ZERO:
             return -self.first  # as far on the other side
@@ -132,7 +132,7 @@ class _Turning(AxleForces):
 
     @cached_property
     def rate(self) -> Expression:
-        """The angular speed at the moment."""
+        """Write the angular speed at the moment, rad/s, and return it."""
         if isinstance(self.setting.query.moment, AtStart) and not self.extreme:
             return self.launch
         if self.still:
@@ -151,11 +151,11 @@ class _Turning(AxleForces):
 
     @property
     def _swinging(self) -> bool:
-        """Return whether its energy gives its speed."""
+        """Return whether conservation of energy gives the angular speed."""
         return not self.still and not isinstance(self.setting.query.moment, AtStart)
 
     def _energy(self, there: Expression) -> Expression:
-        """Return the energy at an angle, in J, by the cosine of that angle."""
+        """Return the kinetic energy, in J, at an angle with the given cosine."""
         gained = self.arm.moment * self.gravity * (there - self.cosine_first)
         return HALF * self.arm.inertia * squares([self.launch]) + gained
 
@@ -170,12 +170,12 @@ class _Turning(AxleForces):
 
     @property
     def components(self) -> tuple[Expression, Expression]:
-        """Return d ω² and d α of the centre of mass."""
+        """Return the centripetal and tangential acceleration of the centre of mass, d ω² and d α."""
         return self.size * squares([self.rate]), self.size * self.angular_acceleration
 
     @property
     def ends(self) -> Ends:
-        """Return them with the torque of gravity over the moment of inertia, and Iω₀²/2Sg."""
+        """Return d·Sg/I, the initial angle, and Iω₀²/2Sg, which give the accelerations at both ends of a swing."""
         moment, inertia, rate = self.arm.moment, self.arm.inertia, self.launch
         torque = (moment if self.falls else -moment) * self.gravity
         excess = inertia * Power(rate, 2) / (2.0 * torque) if rate != ZERO else ZERO
@@ -204,7 +204,7 @@ class _Turning(AxleForces):
         return HALF * self.piece.inertia * Power(self.rate, 2)
 
     def said(self, quantity: str) -> str:
-        """Return the words before the formula; of one of several bodies, they name it."""
+        """Return the words before the formula of a quantity, with the name of the body if there are several."""
         if quantity == "kinetic energy":
             return f"The kinetic energy of {self.setting.called(self.piece.body)}, which turns about the axle, is"
         return self.said_of_axle() if quantity == "axle force" else super().said(quantity)

@@ -1,4 +1,4 @@
-"""Carriage: what swings on a carriage that slides freely; momentum along the rail and energy, then Newton's law."""
+"""Carriage: a swing on a freely sliding carriage, by momentum along the rail, energy and Newton's law."""
 
 from collections.abc import Mapping
 from typing import ClassVar
@@ -30,24 +30,24 @@ from sim2reason.solutions.writing.unit_latex import (
 )
 
 MOMENTS = (AtStart, Deflected, HighestPoint, LowestPoint, Moved, Stopped, TurnedThrough)
-STEADY = 1e-6  # relative: how well a path without turning back is as long as the way that it leads
+STEADY = 1e-6  # relative tolerance between path length and displacement of a motion without turning back
 SAMPLES = 401
 
 
 @strategy
 class OnACarriage(Strategy):
-    """At the start, or where the angle is known or follows; the time does not."""
+    """The strategy for swings on a carriage, at the start or at a known angle; it gives no times."""
 
     name = "momentum and energy on a carriage"
     cost = 1.1
     kinds = frozenset({"start", "event", "extremum", "period", "sum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return whether nothing swings on a carriage."""
+        """Return the reason that no body swings on a sliding carriage; empty if one does."""
         return "" if riding(mechanism) is not None else "nothing swings on a carriage that slides freely"
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if isinstance(query, PeriodQuery):
             return "" if query.small else "only integration gives the time of a large swing"
@@ -59,15 +59,15 @@ class OnACarriage(Strategy):
         return "" if known else "only integration gives the angle"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Return the angle, what is kept, and what is asked."""
+        """Write the angle, the conserved quantities and the answer, and return its symbol."""
         return _Asked(setting, book).write().name
 
 
 class _Asked(CarriageLaws):
-    """What is asked of it: of the arm, of what is on it, or of what moves along with the carriage."""
+    """The quantities of the arm, of bodies on it, or of bodies that move with the carriage."""
 
     def write(self) -> Symbol:
-        """By the kind of the query."""
+        """Write the answer to the query and return its symbol."""
         query = self.setting.query
         if isinstance(query, PeriodQuery):
             return self._period(query)
@@ -75,17 +75,17 @@ class _Asked(CarriageLaws):
 
     @property
     def subject(self) -> str:
-        """Return what it is asked of."""
+        """Return the subject of the question."""
         return self.setting.query.subject
 
     @property
     def _rides(self) -> bool:
-        """Return whether it is asked of what moves along with the carriage."""
+        """Return whether the subject moves along with the carriage."""
         return self.subject in self.carriage.moving_along
 
     @property
     def _weighs(self) -> Expression:
-        """The mass of what it is asked of."""
+        """Return the mass of the subject, kg."""
         return self.carriage.mass(self.subject)
 
     @property
@@ -95,7 +95,7 @@ class _Asked(CarriageLaws):
     # ---- small oscillations
 
     def _period(self, query: PeriodQuery) -> Symbol:
-        """Return both swing against each other about their common centre of mass."""
+        """Write the period of small oscillations, in which arm and carriage swing against each other."""
         self.unloaded()
         book, c = self.book, self.carriage
         if self.lone:
@@ -117,18 +117,18 @@ class _Asked(CarriageLaws):
     # ---- how fast
 
     def _ahead(self) -> Expression:
-        """Return the velocity of what is on the arm along the rail, against the carriage."""
+        """Return the velocity along the rail of the subject on the arm, m/s, opposite to the carriage."""
         if self._straight:
             return self.carriage.sliding_mass * self.speed / self.mass
         return self._radius * self.rate * self.cosine - self.speed
 
     @property
     def _straight(self) -> bool:
-        """Return whether the momentum along the rail alone gives the velocity of a lone body: at the lowest point."""
+        """Return whether the momentum alone gives the velocity of a single body: at the lowest point."""
         return self.lone and self.sine == ZERO and self.driving_force == ZERO and ZERO not in (self.rate, self.speed)
 
     def said(self, quantity: str) -> str:
-        """Return the words before the formula; they say what conservation of momentum gives."""
+        """Return the words before the formula of a quantity, with the consequence of conservation of momentum."""
         lead = f"By conservation of momentum, {self.setting.called(self.subject)} has the velocity "
         if (
             self._rides
@@ -142,7 +142,7 @@ class _Asked(CarriageLaws):
         return f"{lead}${self._ahead().latex()}$, so its {quantity} is"
 
     def _rising(self) -> Expression:
-        """Return the velocity of what is on the arm upward."""
+        """Return the upward velocity of the subject on the arm, m/s."""
         if self._rides:
             raise UnsolvedError("what rides is asked along the rail")
         up = self._radius * self.rate * self.sine
@@ -201,7 +201,7 @@ class _Asked(CarriageLaws):
         return self._weighs * self.gravity * self._height()
 
     def _travelled(self) -> Expression:
-        """As long as it does not turn back."""
+        """Return the distance travelled by the carriage; UnsolvedError if it turns back."""
         if not self._rides:
             raise UnsolvedError("a curved path")
         m = self.setting.mechanism
@@ -226,7 +226,7 @@ class _Asked(CarriageLaws):
         return Root(squares(self._parts())) if ZERO not in self._parts() else sum(self._parts(), ZERO)
 
     def _parts(self) -> tuple[Expression, Expression]:
-        """Of the acceleration of a piece, along the rail and upward."""
+        """Return the acceleration of a piece along the rail and upward."""
         r, bend = self._radius, squares([self.rate])
         turned = self.angular_acceleration * self.cosine + bend * self.signed
         up = bend * self.cosine
@@ -244,7 +244,7 @@ class _Asked(CarriageLaws):
         return Root(Power(rod, 2) + Power(weight, 2) - TWO * rod * weight * self.cosine)
 
     def _pull(self) -> Expression:
-        """Return what a block that hangs needs; UnsolvedError for the string of a hand."""
+        """Return the tension in the string of a hanging block; UnsolvedError for a string pulled by a hand."""
         pull = next((pull for pull in self.carriage.riding.pulls if pull.line == self.subject), None)
         if pull is None or not pull.body:
             raise UnsolvedError("a hand says what the tension is")

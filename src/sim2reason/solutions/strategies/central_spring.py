@@ -1,4 +1,4 @@
-"""Central spring: a body that a single spring leads round its fixed end; energy and angular momentum are kept.
+"""Central spring: a body that moves around the fixed end of its spring, by energy and angular momentum.
 
 See any textbook, such as Kleppner and Kolenkow, An Introduction to Mechanics, chapter 10, on central forces.
 """
@@ -33,46 +33,46 @@ from sim2reason.solutions.writing.unit_latex import JOULES, METRES, SPEED, latex
 
 HALF = Number(0.5)
 MOMENTS = (MostCompressed, MostStretched, NaturalLength)
-NEAR = 1e-3  # relative: of a place that a search has found
-STRAIGHT = 1e-6  # of its speed: it goes straight to or from the fixed end
+NEAR = 1e-3  # relative tolerance of a length found by a search
+STRAIGHT = 1e-6  # relative to the speed: below it the motion is along the spring
 
 
 @strategy
 class CentralSpring(Strategy):
-    """A body on a level table that is launched across a single spring, at an extreme or the natural length of that."""
+    """The strategy for a body launched across a single spring, at an extreme or the natural length of the spring."""
 
     name = "energy and angular momentum on a spring"
     cost = 1.1
     kinds = frozenset({"event", "extremum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
+        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         moves = any(coordinate.speed for coordinate in mechanism.coordinates)
         return "" if moves and lone_spring(mechanism) else "no lone body is launched on a single spring"
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """At the natural length; an extreme one is the root of an equation of the fourth degree."""
+        """Return the kinds about the natural length; an extreme length is the root of a quartic equation."""
         del mechanism
         return frozenset({"event"})
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         query, quantity = setting.query, quantity_of(setting)
         if not isinstance(query, StretchQuery) and not isinstance(query.moment, MOMENTS):
             return "only integration gives the place"
         return "" if quantity in _Round.WAYS else f"no way to the quantity {quantity}"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Write the conserved quantities, the length of the spring and the answer, and return its name."""
+        """Write the conserved quantities, the length of the spring and the answer, and return its symbol."""
         way = _Round(setting, book)
         return way.answer(way.WAYS[quantity_of(setting)], way.signed).name
 
 
 class _Round(LoneSpring):
-    """A body that is launched across a spring, and the quantities that are asked of it."""
+    """The quantities of a body that is launched across a spring."""
 
     def __init__(self, setting: Setting, book: Book) -> None:
-        """UnsolvedError where it goes straight along the spring."""
+        """Read the parameters; raise UnsolvedError if the body moves straight along the spring."""
         super().__init__(setting, book)
         self.launch = [self.read(lambda m, n=n: m.coordinates[n].speed) for n in (0, 1)]
         (x, y), (u, v) = ends(setting.mechanism), (c.speed for c in setting.mechanism.coordinates)
@@ -83,7 +83,7 @@ class _Round(LoneSpring):
 
     @cached_property
     def energy(self) -> Symbol:
-        """Return the symbol of the energy of body and spring, in J."""
+        """Write the conserved energy of body and spring, J, and return its symbol."""
         launched = HALF * self.mass * squares(self.launch)
         stored = HALF * self.stiffness * Power(self.length - self.natural, 2)
         step, name = self.book.open("energy"), self.book.fresh("E")
@@ -101,7 +101,7 @@ class _Round(LoneSpring):
 
     @cached_property
     def swirl(self) -> Expression:
-        """The angular momentum about the fixed end per unit of mass, of its size."""
+        """Write the angular momentum per unit mass about the fixed end, m²/s, and return its magnitude."""
         (x, y), (u, v) = self.apart, self.launch
         formula = x * v - y * u
         formula = self.book.magnitude(formula)
@@ -114,7 +114,7 @@ class _Round(LoneSpring):
 
     @cached_property
     def _seen(self) -> tuple[float, float]:
-        """The length of the spring at the moment, m, and its rate over the speed, by the engine."""
+        """Return the engine's spring length at the moment, m, and its rate of change divided by the speed."""
         extreme = isinstance(self.setting.query, StretchQuery)
         time = time_of_greatest(self.setting) if extreme else self.setting.time
         state = self.setting.study.trace.sample(np.array([time]))
@@ -124,7 +124,7 @@ class _Round(LoneSpring):
 
     @cached_property
     def relaxed(self) -> bool:
-        """Return whether it has its natural length then, not an extreme one."""
+        """Return whether the spring has its natural length at the moment, instead of an extreme one."""
         if not isinstance(self.setting.query, StretchQuery):
             return isinstance(self.setting.query.moment, NaturalLength)
         (far, rate), natural = self._seen, self.book.value(self.natural)
@@ -136,7 +136,7 @@ class _Round(LoneSpring):
 
     @cached_property
     def there(self) -> Expression:
-        """The length of the spring at the moment."""
+        """Return the length of the spring at the moment."""
         return self.natural if self.relaxed else self._extreme
 
     @cached_property
@@ -155,7 +155,7 @@ class _Round(LoneSpring):
 
     @cached_property
     def speed(self) -> Symbol:
-        """At the moment."""
+        """Write the speed at the moment, m/s, and return its symbol."""
         name = self.book.fresh("v")
         if not self.relaxed:
             return self.book.told("speed", "The speed there is", name, self.swirl / self.there, SPEED)
@@ -170,7 +170,7 @@ class _Round(LoneSpring):
     # ---- what is asked
 
     def signed(self, formula: Expression) -> Expression:
-        """With its sign where one is asked for, else its size."""
+        """Return a formula with its sign if the question asks for one, otherwise its magnitude."""
         target = self.setting.query.target
         sense = target.sense if target is not None else None
         if sense is not None and any(sense.vector):

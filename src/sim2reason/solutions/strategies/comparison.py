@@ -1,4 +1,4 @@
-"""Comparison: the answer to the question that is compared, the same with one number multiplied, and their ratio."""
+"""Comparison: the answers for two values of a parameter, and their ratio or difference."""
 
 from collections.abc import Sequence
 
@@ -21,13 +21,13 @@ from sim2reason.solutions.strategies import Strategy, closed, deriving, strategy
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.subscripts import marked
 
-SAME = 1e-6  # relative: the formula must give the engine's answer with the other value, too
+SAME = 1e-6  # relative tolerance of the formula to the engine's answer for the other value
 WORDS = {2.0: "doubled", 0.5: "halved", 3.0: "tripled"}
 
 
 @strategy
 class Comparison(Strategy):
-    """The same formula for two values of a number, and the ratio or the difference of what it gives."""
+    """The strategy that evaluates one formula for two values of a parameter and compares the results."""
 
     name = "comparison"
     cost = 1.0
@@ -35,11 +35,11 @@ class Comparison(Strategy):
     nested = True
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Comparisons, if some strategy has a formula for what is compared."""
+        """Return the comparisons, if some strategy has a formula for the compared question."""
         return self.kinds if any(deriving(kind, mechanism) for kind in INNER) else frozenset()
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         if not isinstance(setting.query, ComparisonQuery):
             return "it compares nothing"
         inner = inner_setting(setting)
@@ -47,7 +47,7 @@ class Comparison(Strategy):
         return "" if offered else f"no formula for the kind {inner.query.kind}"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Write what is compared, what it becomes, and their ratio or difference."""
+        """Write the formula, its value with the changed parameter, and the ratio or difference."""
         query = setting.query
         assert isinstance(query, ComparisonQuery)
         symbol, inner = lone_symbol(setting, query.path), inner_setting(setting)
@@ -65,7 +65,7 @@ class Comparison(Strategy):
 
 @strategy
 class TwoCases(Strategy):
-    """Both cases one after the other, each in its own way, and the ratio or the difference of their answers."""
+    """The strategy that solves both cases one after the other and compares their answers."""
 
     name = "comparison of two cases"
     cost = 2.0
@@ -73,18 +73,18 @@ class TwoCases(Strategy):
     nested = True
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """None: it would name the numbers of the question twice."""
+        """Return no kinds, since both cases would define the numbers of the question."""
         del mechanism
         return frozenset()
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         if not isinstance(setting.query, ComparisonQuery):
             return "it compares nothing"
         return "" if setting.query.changed(setting.study) is not None else "there is no motion with the other value"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Write the solution for the number as given, then for the other one."""
+        """Write the solutions for the given and for the changed parameter, and the ratio or difference."""
         query = setting.query
         assert isinstance(query, ComparisonQuery)
         changed, symbol, inner = query.changed(setting.study), lone_symbol(setting, query.path), inner_setting(setting)
@@ -106,7 +106,7 @@ class TwoCases(Strategy):
 
 
 def compared(book: Book, query: ComparisonQuery, before: str, after: str) -> str:
-    """Write the ratio or the difference of two results; its symbol."""
+    """Write the ratio or the difference of two results and return its symbol."""
     old, new = Symbol(before), Symbol(after)
     if query.ratio:
         return book.told(
@@ -118,10 +118,10 @@ def compared(book: Book, query: ComparisonQuery, before: str, after: str) -> str
 
 
 def _deriving(inner: Setting) -> Sequence[Strategy]:
-    """Return the strategies that may lead to a formula."""
+    """Return the strategies that may derive a formula for the inner question."""
     return deriving(inner.query.kind, inner.mechanism)
 
 
 def _closed(inner: Setting) -> Sequence[Strategy]:
-    """Return the strategies that integrate nothing, the cheapest first."""
+    """Return the strategies that answer the inner question without integration, the cheapest first."""
     return [held for held in closed(inner.query.kind, inner.mechanism) if not held.nested]

@@ -1,4 +1,4 @@
-"""Constant acceleration: Newton's laws for what matters, then v = v₀ + a t and its kin, stage by stage."""
+"""Constant acceleration: Newton's laws, then v = v₀ + a t and its kin, stage by stage."""
 
 from collections.abc import Mapping, Sequence
 from collections.abc import Set as AbstractSet
@@ -32,18 +32,18 @@ MOMENTS = (AtStart, AtTime, Moved, Stopped, StoppedSlipping)
 
 @strategy
 class ConstantAcceleration(Strategy):
-    """Bodies on straight ways, at accelerations that change only where something sticks or slips."""
+    """The strategy for bodies on straight lines whose accelerations change only as contacts stick or slip."""
 
     name = "constant acceleration"
     cost = 1.0
     kinds = frozenset({"start", "state", "event", "time_to_event", "sum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
+        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         return varying_acceleration(mechanism)
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         if unknown := no_goal(setting, MOMENTS):
             return unknown
         if "collision" in setting.story:
@@ -51,7 +51,7 @@ class ConstantAcceleration(Strategy):
         return ""
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Newton's laws, then the kinematics; of what adds up or turns, only the accelerations that a draft used."""
+        """Write Newton's laws and the kinematics of each stage, and return the symbol of the answer."""
         way = _Staged(setting, book)
         if way.goal is not None and (way.goal.throughout or way.goal.turns):
             draft = _Staged(setting, book.copy())
@@ -61,13 +61,13 @@ class ConstantAcceleration(Strategy):
 
 
 class _Staged(Way):
-    """Stages of constant accelerations; `spared` are coordinates whose accelerations nothing uses, by stage."""
+    """Stages of constant accelerations; `spared` has the coordinates whose accelerations are not needed, by stage."""
 
     spared: Sequence[AbstractSet[int]] = ()
 
     @property
     def unused(self) -> list[AbstractSet[int]]:
-        """The coordinates whose accelerations were found in each stage, and not used."""
+        """Return, by stage, the coordinates whose accelerations were computed but not used."""
         moved = [step for step in self.book.steps if step.kind in ("time", "velocity", "distance", "answer")]
         used = {name for step in moved for relation in step.relations for name in relation.symbols()}
         return [
@@ -76,7 +76,7 @@ class _Staged(Way):
         ]
 
     def write(self) -> str:
-        """Return all stages that matter, then the goal."""
+        """Write all relevant stages and the answer, and return its symbol."""
         if self.target is None or self.goal is None:
             return self._whole_time().name
         found = self.goal.write(self.target, self).name
@@ -85,26 +85,26 @@ class _Staged(Way):
 
     @property
     def newton(self) -> Newton:
-        """Those of the last stage."""
+        """Return Newton's laws of the last stage."""
         return self.stages[-1].dynamics.newton
 
     def rate(self, kind: str, k: int) -> Polynomial:
-        """At the end of the last stage."""
+        """Return the acceleration, velocity or displacement of a coordinate at the end of the last stage."""
         stage = self.stages[-1]
         return {"a": stage.acceleration, "v": stage.velocity, "s": stage.place}[kind](k)
 
     @property
     def stretches(self) -> Sequence[StagePart]:
-        """The stages."""
+        """Return the stages as parts of the motion."""
         return [StagePart(self, stage, stage.dynamics) for stage in self.stages]
 
     def tell_arcs(self, body: str) -> None:
-        """Stage by stage."""
+        """Write the angle turned by a body, stage by stage."""
         if (k := self.hinge(body)) is not None and not self.stages[-1].uniform:
             tell_arcs(self.book, self.stages, k)
 
     def force(self, kind: str, name: str) -> Symbol:
-        """Return the symbol of the force that is asked for."""
+        """Write the force that is asked for, if necessary, and return its symbol."""
         asked, found = self._force
         held = self.stages[-1].dynamics.names.get(found)
         if held is None:
@@ -120,7 +120,7 @@ class _Staged(Way):
 
     @cached_property
     def _force(self) -> tuple[str, str]:
-        """The force that is asked for, and the unknown that gives it: of sliding friction the normal force."""
+        """Return the force that is asked for and the unknown that gives it: for sliding friction the normal force."""
         return self._force_in(self.segments[-1])
 
     def _force_in(self, segment: Segment) -> tuple[str, str]:
@@ -133,7 +133,7 @@ class _Staged(Way):
         return asked, f"N{asked[1:]}" if slides else asked
 
     def _goal_of(self, segment: Segment, *, last: bool) -> list[str]:
-        """Return the force that a stage must give."""
+        """Return the force that a stage must give, as a list; empty if none is needed."""
         found = self._force_in(segment)[1] if last or (self.goal is not None and self.goal.throughout) else ""
         return [found] if found else []
 
@@ -141,7 +141,7 @@ class _Staged(Way):
 
     @cached_property
     def wanted(self) -> list[int]:
-        """The coordinates whose motion is needed."""
+        """Return the coordinates whose motion is needed."""
         moment = self.query.moment
         timed = self.uses in ("v", "s")
         bodies = [moment.name] if timed and isinstance(moment, Moved | Stopped) else []
@@ -154,7 +154,7 @@ class _Staged(Way):
 
     @cached_property
     def segments(self) -> list[Segment]:
-        """The segments that differ in what matters; only the last if nothing before it does."""
+        """Return the segments that differ in relevant accelerations or forces; only the last if none does."""
         all_of_them = [s for s in self.setting.motion.segments if s.start < self.setting.time or s.start == 0.0]
         if self.uses not in ("v", "s"):
             return all_of_them[-1:]
@@ -166,7 +166,7 @@ class _Staged(Way):
         return found
 
     def _pulls(self, segment: Segment) -> tuple[str, float]:
-        """Return the force that counts all the while, and how large it is."""
+        """Return the force that is integrated over the motion, and its magnitude in a segment."""
         if self.goal is None or not self.goal.throughout:
             return "", 0.0
         name = self._force_in(segment)[1]
@@ -174,7 +174,7 @@ class _Staged(Way):
 
     @cached_property
     def stages(self) -> list[Stage]:
-        """All stages, each with what the one before it leaves."""
+        """Return all stages, each with the final state of the stage before."""
         found: list[Stage] = []
         pairs = zip(self.segments, self.segments[1:], strict=False)
         stops = [self._stopping(now, after) for now, after in pairs]
@@ -216,11 +216,11 @@ class _Staged(Way):
         return [*found, *(k for name in lines for k in self.stretching(name))]
 
     def own(self, body: str) -> list[int]:
-        """Without those of its carrier where it is counted by itself."""
+        """Return the coordinates of a body, without those of a carrier whose motion is counted separately."""
         return self.stages[-1].dynamics.enough(self.moving([body]))
 
     def _end(self, before: list[Stage], places: Mapping[int, Polynomial]) -> End:
-        """Return the end of the last stage, as the question says it."""
+        """Return the end of the last stage, as stated by the question."""
         moment = self.query.moment
         if isinstance(moment, AtTime):
             return self._at_time(moment, before)
@@ -241,7 +241,7 @@ class _Staged(Way):
         return End()
 
     def _slips_no_more(self, body: str, segment: Segment) -> End:
-        """Return when a body stops slipping on its face."""
+        """Return the end of a stage at which a body stops slipping on its face."""
         slips = self._slipping(body)
         if len(slips) == 1:
             carried = Dynamics(self.setting, self.book, segment).carried
@@ -271,7 +271,7 @@ class _Staged(Way):
         return End(left)
 
     def _whole_time(self) -> Symbol:
-        """Return the sum of the times of all stages."""
+        """Write the total duration of all stages, s, and return its symbol."""
         times = [stage.time for stage in self.stages]
         if len(times) == 1:
             return times[0]
@@ -279,7 +279,7 @@ class _Staged(Way):
         return self.book.told("time", "The total time is", self.book.fresh("t"), formula, SECONDS)
 
     def _stopping(self, now: Segment, after: Segment) -> End:
-        """Return which contact stops slipping between two segments."""
+        """Return the end of a stage: the contact that stops slipping between two segments."""
         faces = [face for face in self.mechanism.faces if face.friction > 0.0]
         for face, side, later in zip(faces, now.found.mode.rubbing, after.found.mode.rubbing, strict=True):
             if side and later != side:
@@ -288,7 +288,7 @@ class _Staged(Way):
         raise UnsolvedError("something changes on the way that is neither sliding nor sticking")
 
     def _turned(self, stop: End, body: str) -> End:
-        """Return the end of a stage, marked as one after which a body slips the other way."""
+        """Return the end of a stage after which a body slips the other way."""
         who, carrier = self.setting.called(body), self.mechanism.body[body].parent
         relative = f" relative to {self.setting.called(carrier)}" if carrier else ""
         what = f"{capital(who)} is momentarily at rest{relative}"

@@ -1,4 +1,4 @@
-"""Constraint: strings that do not stretch, and a centre of mass that stays, say how far a body moves with another."""
+"""Constraint: inextensible strings and a resting centre of mass relate the displacements of bodies."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -25,20 +25,20 @@ from sim2reason.solutions.writing.unit_latex import METRES
 
 @strategy
 class Constraint(Strategy):
-    """How far something has moved when something else has moved a stated distance, both from rest."""
+    """The strategy for the displacement of one body at a stated displacement of another, both from rest."""
 
     name = "constraint"
     cost = 0.5
     kinds = frozenset({"start", "state", "event", "time_to_event", "sum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return whether accelerations change, or it does not begin at rest."""
+        """Return the reason that accelerations vary or the motion does not begin at rest; empty otherwise."""
         if any(coordinate.speed for coordinate in mechanism.coordinates):
             return "it does not begin at rest"
         return varying_acceleration(mechanism)
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         target, moment = setting.target, setting.query.moment
         if not isinstance(moment, Moved) or target is None:
             return "no distance is stated"
@@ -47,25 +47,25 @@ class Constraint(Strategy):
         return "something changes on the way" if len(setting.motion.segments) > 1 else ""
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Displacements in proportion, then the goal."""
+        """Write the ratios of displacements and the answer, and return its symbol."""
         return _Proportions(setting, book).write()
 
 
 class _Proportions(Way):
-    """Displacements that laws without forces bind to each other."""
+    """Displacements that constraints without forces relate to each other."""
 
     def size(self, k: int) -> Expression:
-        """Return how far a coordinate comes, without a sign: from rest nothing turns back."""
+        """Return the distance that a coordinate covers, m; from rest nothing turns back."""
         held = self.rate("s", k).expression()
         return held if self.book.value(held) >= 0.0 else -held
 
     @cached_property
     def loaded(self) -> WrittenDynamics:
-        """The laws that give the force of what adds up."""
+        """Return Newton's laws, which give the force that is integrated over the motion."""
         return WrittenDynamics(self.setting, self.book, self.setting.motion.segments[0])
 
     def write(self) -> str:
-        """Return the laws, then the goal."""
+        """Write the constraints and the answer, and return its symbol."""
         assert self.target is not None
         assert self.goal is not None
         self.dynamics.reach([f"q{k}" for k in self.asked_coordinates()])
@@ -79,7 +79,7 @@ class _Proportions(Way):
 
     @cached_property
     def dynamics(self) -> WrittenDynamics:
-        """Newton's laws, of which only those without forces are used, with displacements for accelerations."""
+        """Return Newton's laws with displacements for accelerations, of which only constraints are used."""
         moment = self.query.moment
         assert isinstance(moment, Moved)
         k, *_ = self.moving([moment.name])
@@ -91,16 +91,16 @@ class _Proportions(Way):
 
     @property
     def stretches(self) -> Sequence[Stretch]:
-        """The whole motion."""
+        """Return the whole motion as a single part."""
         return [StagePart(self, _Course(self), self.loaded)]
 
     @property
     def newton(self) -> Newton:
-        """Those of the motion's only segment."""
+        """Return Newton's laws of the only segment."""
         return self.dynamics.newton
 
     def rate(self, kind: str, k: int) -> Polynomial:
-        """Displacements alone; one that slip sets free no law without forces binds."""
+        """Return the displacement of a coordinate; UnsolvedError if it depends on forces."""
         del kind
         found = self.dynamics.names.get(f"q{k}")
         if found is None:
@@ -108,34 +108,34 @@ class _Proportions(Way):
         return found
 
     def force(self, kind: str, name: str) -> Symbol:
-        """None."""
+        """Raise UnsolvedError, since forces need Newton's laws."""
         raise UnsolvedError(f"no {kind} of {name} without Newton's laws")
 
 
 @dataclass(frozen=True, slots=True)
 class _Course:
-    """The whole motion, as its only part."""
+    """The whole motion as a single part."""
 
     way: _Proportions
 
     @property
     def dynamics(self) -> Dynamics:
-        """The laws of displacements."""
+        """Return the constraints on displacements."""
         return self.way.dynamics
 
     @property
     def time(self) -> Symbol:
-        """It needs forces."""
+        """Raise UnsolvedError, since times need forces."""
         raise UnsolvedError("no time without Newton's laws")
 
     def gain(self, k: int) -> Polynomial:
-        """Return its displacement."""
+        """Return the displacement of a coordinate."""
         return self.way.rate("s", k)
 
     def gained(self, k: int) -> Polynomial:
-        """Relative to what carries it, as laws without forces count it anyhow."""
+        """Return the displacement of a coordinate relative to its carrier, as constraints count it."""
         return self.way.rate("s", k)
 
     def path(self, k: int) -> Expression:
-        """Return its displacement without a sign."""
+        """Return the distance that a coordinate covers."""
         return self.way.size(k)

@@ -1,4 +1,4 @@
-"""Energy: what has one way to move gains as much kinetic energy as weights, friction, hands and springs do work.
+"""Energy: the change in kinetic energy of a system with one free coordinate equals the work of all forces.
 
 See any textbook, such as Kleppner and Kolenkow, An Introduction to Mechanics, chapter 5.
 """
@@ -39,20 +39,20 @@ from sim2reason.solutions.writing.unit_latex import ACCELERATION, JOULES, METRES
 
 MOMENTS = (AtStart, AtTime, Moved, Stopped, StoppedSlipping, MostStretched, MostCompressed, NaturalLength)
 HALF = Number(0.5)
-STILL = 1e-6  # of the greatest speed
+STILL = 1e-6  # relative to the greatest speed
 
 
 @strategy
 class WorkAndEnergy(Strategy):
-    """One free coordinate; forces constant but for those of springs."""
+    """The strategy for one free coordinate, with constant forces and springs."""
 
     name = "energy"
     cost = 1.05
     kinds = frozenset({"start", "state", "event", "time_to_event", "extremum"})
-    free: ClassVar[int] = 1  # coordinates
+    free: ClassVar[int] = 1  # number of free coordinates
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
+        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         if mechanism.meetings:
             return "something may collide"
         if fewest_free(mechanism) > self.free:
@@ -62,23 +62,23 @@ class WorkAndEnergy(Strategy):
         return nonlinear(mechanism)
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         if greatest_target(setting) is None and (unknown := no_goal(setting, MOMENTS)):
             return unknown
         target = greatest_target(setting)
         return f"no way to the quantity {target.quantity}" if target and target.quantity not in GOALS else ""
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Return the work, the kinetic energy, then what is asked."""
+        """Write the work, the kinetic energy and the answer, and return its symbol."""
         return EnergyWay(setting, book).write().name
 
 
 class EnergyWay(SingleWay):
-    """Speeds by energy; accelerations by power."""
+    """A motion model with speeds from energy and accelerations from power."""
 
     @cached_property
     def _i(self) -> int:
-        """The free coordinate."""
+        """Return the free coordinate."""
         if len(self.motion.free) != 1:
             raise UnsolvedError("several things move by themselves")
         if self.motion.damped:
@@ -87,7 +87,7 @@ class EnergyWay(SingleWay):
 
     @property
     def name(self) -> Symbol:
-        """The symbol of the free coordinate."""
+        """Return the symbol of the free coordinate."""
         return self._name
 
     @cached_property
@@ -109,7 +109,7 @@ class EnergyWay(SingleWay):
         return isinstance(self.motion, LinearMotion) and bool(self.motion.friction(self._i))
 
     def write(self) -> Symbol:
-        """Return the time, or the goal."""
+        """Write the time or the quantity that is asked for, and return its symbol."""
         _ = self.name
         if self.target is None or self.goal is None:
             return self._time
@@ -117,7 +117,7 @@ class EnergyWay(SingleWay):
 
     @property
     def _is_all(self) -> bool:
-        """Return whether the kinetic energy of the only thing that moves is asked for, where work alone gives it."""
+        """Return whether work alone gives the answer: the kinetic energy of the only moving body."""
         assert self.target is not None
         timed = isinstance(self.query.moment, AtTime | AtStart) and not self.greatest
         moved = {self.mechanism.coordinates[k].body for k, parts in self.motion.ratios.items() if parts}
@@ -125,7 +125,7 @@ class EnergyWay(SingleWay):
         return self.target.quantity == "kinetic energy" and alone and not timed and not self._turns
 
     def _energy(self, body: str) -> Symbol:
-        """Write the kinetic energy of all, by the work that is done."""
+        """Write the kinetic energy, J, by the work-energy theorem and return its symbol."""
         formula, mark = self._kinetic(self._first) + work(self.motion, self._place), self.setting.mark(body)
         said = f"By the work-energy theorem, the kinetic energy of {self.setting.called(body)} is"
         return self.book.told("energy", said, self.book.fresh("K", mark), formula, JOULES)
@@ -134,7 +134,7 @@ class EnergyWay(SingleWay):
 
     @cached_property
     def _mass(self) -> Expression:
-        """Return the effective mass, in kg, of all that moves with x."""
+        """Return the effective mass, in kg, of all bodies that move with x."""
         return self.motion.mass(self._i, self._i).factored()
 
     @cached_property
@@ -148,14 +148,14 @@ class EnergyWay(SingleWay):
 
     @cached_property
     def _engine(self) -> tuple[float, float]:
-        """Place and speed of the free coordinate at the moment, of a greatest value where that is taken."""
+        """Return the engine's value and rate of the free coordinate at the moment or at the greatest value."""
         time = time_of_greatest(self.setting) if self.greatest else self.setting.time
         state = self.setting.study.trace.sample(np.array([time]))
         return self.seen(state.q[0]), self.seen(state.v[0])
 
     @cached_property
     def _turns(self) -> bool:
-        """Return whether it stands still at the moment."""
+        """Return whether the system is at rest at the moment."""
         if not self.greatest:
             self.stops_alone()
             return isinstance(self.query.moment, Stopped | MostStretched | MostCompressed | StoppedSlipping)
@@ -164,7 +164,7 @@ class EnergyWay(SingleWay):
 
     @cached_property
     def _place(self) -> Expression:
-        """X at the moment."""
+        """Write x at the moment, m, and return it."""
         moment = self.query.moment
         if self._turns:
             if self.greatest and self.motion.springs:
@@ -185,7 +185,7 @@ class EnergyWay(SingleWay):
         return self.book.told("distance", "In this time it moves by", self.name, formula, METRES)
 
     def _turning(self) -> Symbol:
-        """Return where all work has used up the kinetic energy of the start."""
+        """Write x at the turning point, where the work uses up the initial kinetic energy, and return its symbol."""
         step, name = self.book.open("energy"), self.name
         first = self._kinetic(self._first)
         law = step.law(first + work(self.motion, name), ZERO)
@@ -216,7 +216,7 @@ class EnergyWay(SingleWay):
 
     @cached_property
     def _speed(self) -> Expression:
-        """Return the rate of x at the moment, in m/s."""
+        """Write the rate of x at the moment, m/s, and return it."""
         if self._turns:
             return ZERO
         if isinstance(self.query.moment, AtStart):
@@ -245,7 +245,7 @@ class EnergyWay(SingleWay):
 
     @cached_property
     def _rise(self) -> Symbol:
-        """The acceleration of x: the kinetic energy grows at the rate of the power."""
+        """Write the acceleration of x from the power of the forces, and return its symbol."""
         place: Expression = ZERO
         if self.motion.springs and not isinstance(self.query.moment, AtStart):
             if isinstance(self.query.moment, AtTime) and not self.greatest:
@@ -264,7 +264,7 @@ class EnergyWay(SingleWay):
 
     @cached_property
     def _lasting(self) -> Symbol:
-        """The time that is stated."""
+        """Return the symbol of the time that the question states."""
         if self.motion.springs:
             raise UnsolvedError("energy says nothing of times where springs pull")
         moment = self.query.moment
@@ -274,12 +274,12 @@ class EnergyWay(SingleWay):
         return name
 
     def clock(self) -> Symbol:
-        """Return the time of the moment: given, or found."""
+        """Return the time of the moment, given or computed."""
         return self._lasting if isinstance(self.query.moment, AtTime) else self._time
 
     @cached_property
     def _time(self) -> Symbol:
-        """Return the symbol of the time, in s, by the mean of the first and the last speed."""
+        """Write the time, s, from the mean of the initial and final velocities, and return its symbol."""
         if self.motion.springs:
             raise UnsolvedError("energy says nothing of times where springs pull")
         whole = self._speed + self._first
@@ -291,6 +291,6 @@ class EnergyWay(SingleWay):
     # ---- what goals ask
 
     def along(self, kind: str) -> Polynomial:
-        """Place ``s``, speed ``v`` or acceleration ``a`` of the free coordinate."""
+        """Return the displacement ``s``, velocity ``v`` or acceleration ``a`` of the free coordinate."""
         held = {"s": lambda: self._place, "v": lambda: self._speed, "a": lambda: self._rise}[kind]()
         return signed(held)

@@ -1,4 +1,4 @@
-"""Fields: a charged body in electric and magnetic fields whose equations of motion have solutions in closed form."""
+"""Fields: closed-form motion of a charged body in electric and magnetic fields."""
 
 from collections.abc import Callable
 
@@ -43,14 +43,14 @@ FUNCTIONALS = (
 
 @strategy
 class FieldsStrategy(Strategy):
-    """A charged body in a plane, alone in fields without an end, that are uniform or change linearly or as a cosine."""
+    """The strategy for one charged body in unbounded fields: uniform, linear, or a cosine in time."""
 
     name = "motion in fields"
     cost = 1.0
     kinds = frozenset({"start", "state", "event", "time_to_event", "extremum", "period", "sum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
+        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         m = mechanism
         moving = [body for body in m.bodies if body.coordinates]
         other = m.lines or m.faces or m.attractions or m.burns or m.meetings or m.feet
@@ -61,11 +61,11 @@ class FieldsStrategy(Strategy):
         return "the fields have an end" if any(force.region is not None for force in m.forces) else ""
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         return _unasked(setting)
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Write the forces, the motion and the answer, and return its name."""
+        """Write the forces, the motion and the answer, and return its symbol."""
         return _InFields(setting, book).write().name
 
 
@@ -85,17 +85,17 @@ def _unasked(setting: Setting) -> str:
 
 
 class _InFields(Way):
-    """A body in fields, and the quantities that are asked of it."""
+    """The quantities of a body in fields."""
 
     def __init__(self, setting: Setting, book: Book) -> None:
-        """UnsolvedError where there is no closed form."""
+        """Take a question; raise UnsolvedError if the motion has no closed form."""
         super().__init__(setting, book)
         self.body = next(body.name for body in self.mechanism.bodies if body.coordinates)
         self.fields = Fields(setting, book, self.body, start=isinstance(setting.query.moment, AtStart))
         self._names: dict[tuple[str, int], Expression] = {}
 
     def write(self) -> Symbol:
-        """Write the answer to the query, and return its symbol."""
+        """Write the answer to the query and return its symbol."""
         if isinstance(self.query, PeriodQuery):
             return self._period(self.query)
         if isinstance(self.query, StretchQuery):
@@ -108,23 +108,23 @@ class _InFields(Way):
 
     @cached_property
     def moment(self) -> FieldMoment:
-        """Return when it is asked about, and where its speed or distance is extreme."""
+        """Return the moment of the question, with the extremes of speed and distance."""
         return FieldMoment(self.setting, self.book, self.fields)
 
     @property
     def time(self) -> Symbol:
-        """Return when the moment is."""
+        """Return the time of the moment, s."""
         return self.moment.time
 
     @property
     def motion(self) -> FieldMotion:
-        """Return place and velocity of the body as functions of time."""
+        """Return the position and velocity of the body as functions of time."""
         return self.moment.motion
 
     # ---- what is asked
 
     def _period(self, query: PeriodQuery) -> Symbol:
-        """Write the period of motion in a circle, in s."""
+        """Write the period of the circular motion, s, and return its symbol."""
         turns = self.fields.turning
         if turns is None or self.fields.drive is not None or self.fields.damping is not None:
             raise UnsolvedError("it does not go round a circle")
@@ -132,7 +132,7 @@ class _InFields(Way):
         return measured_period(self.book, query, size, "The period of the circular motion is")
 
     def _summed(self, query: StretchQuery) -> Symbol:
-        """Return a work, or the change of momentum."""
+        """Write a work or a change of momentum and return its symbol."""
         assert self.target is not None
         energy = FieldEnergy(self, self.moment)
         if query.functional == "work of an electric field":
@@ -142,7 +142,7 @@ class _InFields(Way):
         return GOALS[query.functional].write(self.target, self)
 
     def _potential(self) -> Symbol:
-        """Minus the work of the electric force."""
+        """Write the change in electric potential energy, minus the work of the electric force, in J."""
         work = FieldEnergy(self, self.moment).potential()
         said = "The change in potential energy is minus the work of the electric force; its magnitude is"
         size = modulus(work, self.book, of_either_sign=True)
@@ -189,7 +189,7 @@ class _InFields(Way):
         return self.book.told("component", said, name, formula, NOUNS[kind].unit, rests=law)
 
     def _said(self, kind: str, axis: int) -> tuple[str, str]:
-        """Return the beginning of a sentence that says a component, and the label of the law on which it rests."""
+        """Return the beginning of a sentence about a component, and the label of the law that it uses."""
         who, along = self.setting.called(self.body), AXES[axis]
         if isinstance(self.query.moment, AtStart):
             return f"By Newton's second law, the acceleration of {who} along {along} at the start is", ""
@@ -204,11 +204,11 @@ class _InFields(Way):
 
     @property
     def _turn(self) -> FieldTurn | None:
-        """Return the moment if it is one of those at which the velocity has turned."""
+        """Return the moment if it is a stated turn of the velocity, else None."""
         return self.moment.turn if isinstance(self.query.moment, TURNED) else None
 
     def vector(self, kind: str, body: str) -> Components:
-        """Return its size alone, where that is all that is asked for and is known without its components."""
+        """Return a vector as its magnitude alone, if that suffices and needs no components, else by component."""
         asked = self.target is not None and self.target.sense is None and self.query.kind != "sum"
         if asked and not isinstance(self.query.moment, AtStart):
             sizes = {"v": lambda: self.moment.speed, "a": lambda: self.moment.pull, "s": self._chord}
@@ -218,7 +218,7 @@ class _InFields(Way):
         return super().vector(kind, body)
 
     def _chord(self) -> Expression | None:
-        """The distance from the start at which a magnetic field alone has turned the velocity through an angle."""
+        """Return the distance from the start after a turn of the velocity in a magnetic field alone, else None."""
         alone = self.fields.drive is None and self.fields.damping is None and not self.fields.resists
         if not alone or not isinstance(self.query.moment, VelocityTurned):
             return None
@@ -235,9 +235,9 @@ class _InFields(Way):
 
     @property
     def newton(self) -> Newton:
-        """None is needed."""
+        """Raise UnsolvedError, since the forces are those of fields."""
         raise UnsolvedError("the forces are those of fields")
 
     def force(self, kind: str, name: str) -> Symbol:
-        """None."""
+        """Raise UnsolvedError, since no contact or string exerts a force."""
         raise UnsolvedError(f"no {kind} of {name}")

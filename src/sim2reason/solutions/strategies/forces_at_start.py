@@ -1,4 +1,4 @@
-"""Forces at the start: where every spring and every attracting body is known, Newton's law gives the acceleration."""
+"""Forces at the start: Newton's law with the initial forces of springs and attracting bodies."""
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.questions.moments.times import AtStart
@@ -22,23 +22,23 @@ from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, NEWTON
 
 @strategy
 class ForcesAtStart(Strategy):
-    """The acceleration or net force just after the start, of a body on which springs, weight and attractions act."""
+    """The strategy for the initial acceleration or net force on a body under springs, weight and attractions."""
 
     name = "forces at the start"
     cost = 1.2
     kinds = frozenset({"start"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
+        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         free = any(body.coordinates and not _bound(mechanism, body.name) for body in mechanism.bodies)
         return "" if free else "every body is led, or pushed by something"
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return None where springs or attractions turn: each takes a root and two components."""
+        """Return the kinds with formulas; none if springs or attractions change direction."""
         return frozenset[str]() if nonlinear(mechanism) else self.kinds
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         target = setting.query.target
         if not isinstance(setting.query.moment, AtStart) or target is None:
             return "it is not about the start"
@@ -47,14 +47,14 @@ class ForcesAtStart(Strategy):
         return _bound(setting.mechanism, target.subject)
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Return each force, then their sum over the mass."""
+        """Write each force and the acceleration, and return the symbol of the answer."""
         way = _AtStart(setting, book)
         assert way.target is not None
         return GOALS[way.target.quantity].write(way.target, way).name
 
 
 def _bound(m: Mechanism, name: str) -> str:
-    """Return what keeps a body from moving freely, such as a body that it rides on; empty if nothing does."""
+    """Return why a body cannot move freely, such as that it rides on another body; empty if it can."""
     if name not in m.body or m.body[name].parent is not None:
         return "it rides on something"
     if any(body.parent == name for body in m.bodies):
@@ -72,11 +72,11 @@ def _held(m: Mechanism, body: str) -> list[Line]:
 
 
 class _AtStart(Way):
-    """Accelerations at t = 0."""
+    """The accelerations at t = 0."""
 
     @property
     def newton(self) -> Newton:
-        """Only for masses."""
+        """Return Newton's laws, for masses alone."""
         return self._newton
 
     @cached_property
@@ -88,11 +88,11 @@ class _AtStart(Way):
         return self.setting.lexicon.of(lambda m: m.body[body].mass)
 
     def force(self, kind: str, name: str) -> Symbol:
-        """Return None by itself."""
+        """Raise UnsolvedError, since only net forces follow."""
         raise UnsolvedError(f"no {kind} of {name}")
 
     def rate(self, kind: str, k: int) -> Polynomial:
-        """Accelerations alone."""
+        """Return the initial acceleration of a coordinate; UnsolvedError for velocities and displacements."""
         if kind != "a":
             raise UnsolvedError("only accelerations follow from the forces at the start")
         if k in self._axes and k not in self._wanted():
@@ -110,13 +110,13 @@ class _AtStart(Way):
 
     @cached_property
     def _axes(self) -> dict[int, tuple[Vector, Vector]]:
-        """The direction of each of its coordinates, here and in the twin."""
+        """Return the direction of each coordinate of the body, in the mechanism and in its twin."""
         lexicon = self.setting.lexicon
         pairs = zip(lexicon.mechanism.coordinates, lexicon.twin.coordinates, strict=True)
         return {k: (a.axis, b.axis) for k, (a, b) in enumerate(pairs) if a.body == self._body}
 
     def _apart(self, ends: list[tuple[Vector, Vector]]) -> dict[int, Polynomial]:
-        """From one end to the other, along each coordinate; `ends` are here and in the twin."""
+        """Return the components from one end to the other; `ends` are in the mechanism and in its twin."""
         found: dict[int, Polynomial] = {}
         for k, axes in self._axes.items():
             values = [float(product(minus(b, a), axis)) for (a, b), axis in zip(ends, axes, strict=True)]
@@ -165,7 +165,7 @@ class _AtStart(Way):
         return found
 
     def _wanted(self) -> list[int]:
-        """Return the coordinates whose acceleration is asked for: one alone, if a component is."""
+        """Return the coordinates whose acceleration is asked for: one for a component, otherwise all."""
         target = self.target
         assert target is not None
         if target.sense is None or not any(target.sense.vector):
@@ -177,7 +177,7 @@ class _AtStart(Way):
         return lexicon.of(lambda m: -m.gravity[2]) * lexicon.of(lambda m: -m.coordinates[k].axis[2])
 
     def _springs(self) -> list[tuple[Expression, dict[int, Polynomial], Expression, bool]]:
-        """Return each spring: its pull, from the body to its other end, its length."""
+        """Write the force of each spring; return force, direction to its other end, length, and False."""
         m, lexicon = self.mechanism, self.setting.lexicon
         found: list[tuple[Expression, dict[int, Polynomial], Expression, bool]] = []
         for line in _held(m, self._body):
@@ -209,7 +209,7 @@ class _AtStart(Way):
         return found
 
     def _growing(self, line: Line, apart: dict[int, Polynomial], length: Expression) -> Expression | None:
-        """Return the rate of extension of a damped spring at the start, in m/s."""
+        """Write the rate of extension of a damped spring at the start, m/s; return its symbol or None."""
         assert isinstance(line.law, Elastic)
         others = [c for c in self.mechanism.coordinates if self.mechanism.number[c.name] not in self._axes]
         speeds = {k: self.first_speeds[k] for k in self._axes if k in self.first_speeds}
@@ -226,7 +226,7 @@ class _AtStart(Way):
         return name
 
     def _attractions(self) -> list[tuple[Expression, dict[int, Polynomial], Expression, bool]]:
-        """Return each body that attracts: by how much it accelerates, towards it, its distance."""
+        """Write the acceleration due to each attracting body; return it, direction, distance, and True."""
         m, lexicon = self.mechanism, self.setting.lexicon
         found: list[tuple[Expression, dict[int, Polynomial], Expression, bool]] = []
         pulls = [pull for pull in m.attractions if self._body in (pull.a, pull.b)]

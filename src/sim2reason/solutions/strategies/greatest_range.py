@@ -1,4 +1,4 @@
-"""Greatest range: the launch angle for which a body that is thrown from a height lands farthest away."""
+"""Greatest range: the launch angle at which a body thrown from a height lands farthest away."""
 
 from math import hypot, inf
 
@@ -15,24 +15,24 @@ from sim2reason.solutions.writing.steps import Book
 from sim2reason.solutions.writing.unit_latex import METRES
 
 TWO = Number(2.0)
-LEVEL = 1e-9  # the vertical part of a horizontal direction
+LEVEL = 1e-9  # largest vertical component of a horizontal unit vector
 
 
 @strategy
 class GreatestRange(Strategy):
-    """The angle of greatest range from a height, by the path of the body and its derivative by the angle."""
+    """The strategy for the angle of greatest range from a height, by the derivative of the trajectory."""
 
     name = "greatest range"
     cost = 0.5
     kinds = frozenset({"optimum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return whether it is anything but one body in free fall in a vertical plane."""
+        """Return the reason that a mechanism is not one body in free fall in a vertical plane; empty if it is."""
         alone = len(mechanism.bodies) == 1 and len(mechanism.coordinates) == len(("x", "z"))
         return "" if alone and only_falls(mechanism) and not mechanism.meetings else "it is no body thrown in a plane"
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if not isinstance(query, OptimumQuery) or setting.sought is None or not query.greatest:
             return "no greatest value is asked for"
@@ -42,7 +42,7 @@ class GreatestRange(Strategy):
         return "" if far and level and angle else "it is not about how far a body is thrown"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Return the path through the place of landing, its derivative by the angle, and both equations solved."""
+        """Write the trajectory, its derivative and the solution of both, and return the symbol of the answer."""
         query = setting.query
         assert isinstance(query, OptimumQuery)
         theta, lexicon = Symbol(lone_symbol(setting, query.path)), setting.lexicon
@@ -75,7 +75,7 @@ class GreatestRange(Strategy):
 
     @staticmethod
     def _farthest(setting: Setting, book: Book, way: Symbol, height: Expression) -> str:
-        """Return the greatest distance: along the ground, or straight from the starting point."""
+        """Return the symbol of the greatest distance: along the ground, or straight from the starting point."""
         target = setting.query.target
         if target is not None and target.sense is not None:
             return way.name

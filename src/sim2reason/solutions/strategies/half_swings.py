@@ -1,4 +1,4 @@
-"""Half swings: friction shifts the place of balance each time that a body on a spring turns back.
+"""Half-oscillations: friction shifts the equilibrium each time that a body on a spring turns back.
 
 See Lapidus, Motion of a harmonic oscillator with sliding friction, American Journal of Physics 38 (1970) 1360.
 """
@@ -29,31 +29,31 @@ from sim2reason.solutions.writing.unit_latex import METRES, SECONDS
 
 @strategy
 class HalfSwings(Strategy):
-    """One free coordinate on springs, with friction that acts against it all the while."""
+    """The strategy for one free coordinate on springs with kinetic friction."""
 
     name = "half swings"
     cost = 1.3
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "sum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
+        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         if not any(face.friction > 0.0 for face in mechanism.faces):
             return "there is no friction"
         return not_driven_back(mechanism) or ("there are several modes" if fewest_free(mechanism) > 1 else "")
 
     def refusal(self, setting: Setting) -> str:
-        """Return why an oscillation without friction would be refused, too; empty if it would not."""
+        """Return why the oscillation strategy does not apply to a question; empty if it does."""
         return STRATEGIES["oscillation"].refusal(setting)
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Swing by swing, then the moment."""
+        """Write each half-oscillation, the moment and the answer, and return its symbol."""
         return _Swinging(setting, book).write().name
 
 
 class _Swinging(Oscillating):
-    """The last swing; those before it leave where and when it begins."""
+    """The last half-oscillation; earlier ones give its initial position and time."""
 
-    _half: Symbol | None = None  # the time of half an oscillation, once it is written
+    _half: Symbol | None = None  # the duration of a half-oscillation, once it is written
 
     @cached_property
     def _segments(self) -> list[Segment]:
@@ -61,7 +61,7 @@ class _Swinging(Oscillating):
 
     @cached_property
     def segment(self) -> Segment:
-        """The last one."""
+        """Return the last segment of the motion."""
         return self._segments[-1]
 
     @cached_property
@@ -69,7 +69,7 @@ class _Swinging(Oscillating):
         return RestChecks(self)
 
     def write(self) -> Symbol:
-        """Verify what is assumed of friction, as far as numbers are known, before the moment."""
+        """Verify the assumptions about friction, write the answer and return its symbol."""
         moment, held = self.query.moment, self.harmonic
         self._verify_others(held)
         if isinstance(moment, Halted):
@@ -83,12 +83,12 @@ class _Swinging(Oscillating):
     # ---- swing by swing
 
     def _motion(self, segment: Segment, begin: Expression) -> LinearMotion:
-        """Return the equations of one swing, with places counted from `begin`."""
+        """Return the equations of one half-oscillation, with positions counted from `begin`."""
         at = self.book.value(begin) if begin != ZERO else 0.0
         return LinearMotion(self.setting, segment, self.linear.free).counted_from(begin, at)
 
     def _swing(self, segment: Segment, name: Symbol, before: Harmonic | None) -> Harmonic:
-        """Return one swing, from `begin` on."""
+        """Return one half-oscillation, with positions counted from `begin`."""
         motion = self._motion(segment, self.begin)
         if len(motion.free) != 1:
             raise UnsolvedError("there are several modes")
@@ -98,7 +98,7 @@ class _Swinging(Oscillating):
 
     @cached_property
     def harmonic(self) -> Harmonic:
-        """The last swing."""
+        """Write all half-oscillations and return the last one."""
         if len(self.linear.free) != 1:
             raise UnsolvedError("nothing moves at last, or several modes do")
         first = self.book.fresh("x")
@@ -118,7 +118,7 @@ class _Swinging(Oscillating):
         raise UnsolvedError("it never moves")
 
     def _begins(self, held: Harmonic, number: int) -> None:
-        """Write why a swing begins, and that friction is constant until it ends."""
+        """Write why a half-oscillation begins, and that friction is constant until it ends."""
         motion = held.motion
         assert isinstance(motion, LinearMotion)
         resting = [motion.mechanism.faces[face].subject for face, _ in self._checks.resting(motion)]
@@ -136,7 +136,7 @@ class _Swinging(Oscillating):
         self._say(*swing_words(self, held, number))
 
     def _assume(self, said: str) -> None:
-        """Write what is verified only in the end: what moves at first, unless that is known, and what moves later."""
+        """Write the assumptions that are verified only at the end: the first direction and later restarts."""
         if self.book.in_symbols:
             return
         if len(self._segments) > 1 and self._checks.hidden(self._motion(self._segments[-1], ZERO)):
@@ -150,7 +150,7 @@ class _Swinging(Oscillating):
         step.close()
 
     def _turn(self, held: Harmonic, span: float) -> None:
-        """Write where the next swing begins, and before that when, if a time is asked for or given."""
+        """Write the position of the next turning point, preceded by its time if times are needed."""
         first, book = self.begin == ZERO, self.book
         self._times.append((held, span))
         timed = self.query.target is None or isinstance(self.query.moment, AtTime)
@@ -179,12 +179,12 @@ class _Swinging(Oscillating):
 
     @cached_property
     def _lasting(self) -> list[Symbol]:
-        """Return the symbols of the durations of swings that are written."""
+        """Return the symbols of the durations of half-oscillations that are written."""
         return []
 
     @property
     def _begun(self) -> Expression:
-        """Return the total duration of the swings in `_times`, and write each that is not written yet."""
+        """Return the total duration of the half-oscillations in `_times`, and write those not yet written."""
         for held, span in self._times[len(self._lasting) :]:
             self._lasting.append(self._lasts(held, span))
         return total(map(Polynomial.of, self._lasting)).expression()
@@ -193,7 +193,7 @@ class _Swinging(Oscillating):
         return self.book.fresh("t", str(len({held.name for held in self._lasting}) + 1))
 
     def _lasts(self, held: Harmonic, span: float) -> Symbol:
-        """Write how long a swing takes; from rest to rest each takes as long as any other."""
+        """Write the duration of a half-oscillation, s, once for all that begin at rest; return its symbol."""
         whole = held.begun == ZERO
         if whole and self._half is not None:
             return self._half
@@ -207,7 +207,7 @@ class _Swinging(Oscillating):
         return self._half
 
     def since(self, time: Symbol) -> Symbol:
-        """Less what the swings before take."""
+        """Return the time within the last half-oscillation: a time less the earlier durations."""
         left = time
         if self._times:
             before = self._begun
@@ -217,18 +217,18 @@ class _Swinging(Oscillating):
         return left
 
     def time_since(self) -> Symbol:
-        """Write how long the last swing has lasted at the moment."""
+        """Write the time of the moment within the last half-oscillation, s, and return its symbol."""
         held = self.harmonic
         if held.turns(self.since_begun):
             return self._lasts(held, self.since_begun)
         return super().time_since()
 
     def time_name(self) -> Symbol:
-        """Return a symbol for that: `t` where it is the time since the start."""
+        """Return a symbol for the time within the last half-oscillation, `t` if it is the first."""
         return self._time_name() if self._times else self.book.fresh("t")
 
     def until(self, time: Symbol) -> Symbol:
-        """Return the time since the start, in s, by that of the last swing and those of the swings before."""
+        """Return the time since the start, s, from the time within the last half-oscillation."""
         if not self._times:
             return time
         whole = total(map(Polynomial.of, (*self._lasting, time))).expression()
@@ -236,7 +236,7 @@ class _Swinging(Oscillating):
         return self.book.told("time", said, self.book.fresh("t"), whole, SECONDS)
 
     def _equal_times(self, *more: Symbol) -> str:
-        """Begin a sentence with the reason why one time stands for several swings, if one does."""
+        """Return the beginning of a sentence that several half-oscillations take equal times, or nothing."""
         goes_on, number = more != (self._half,), sum(held == self._half for held in (*self._lasting, *more))
         every = "both" if number == 2 else f"all {number}"
         every = f"the first {'two' if number == 2 else number}" if goes_on else every
@@ -244,22 +244,22 @@ class _Swinging(Oscillating):
 
     @property
     def standing(self) -> str:
-        """Begin a sentence with where, or when, a swing ends: friction may hold the body there."""
+        """Return the beginning of a sentence about the end of a half-oscillation, where friction may hold it."""
         return f"{capital(self.mover)} {'next' if self._times else 'first'} comes to rest"
 
     # ---- what is verified
 
     def _ends_after(self, held: Harmonic) -> float:
-        """Return how long after its beginning a swing turns back, s."""
+        """Return the duration of a half-oscillation, s."""
         return min(time for time in held.instants(2.0 * pi / held.numbers[0]) if held.turns(time))
 
     def _turns_later(self, left: Symbol) -> None:
-        """Write that the last swing takes longer than the time that is left."""
+        """Write that the last half-oscillation takes longer than the remaining time."""
         formula = self.harmonic.angle_of_turning(self._ends_after(self.harmonic)) / self.harmonic.rate
         tell_rest_only_later(self.book, formula, left, self._half, again=bool(self._times))
 
     def _turns_beyond(self, held: Harmonic) -> None:
-        """Write that it comes to rest only beyond its place at the moment; in the end, if numbers are unknown."""
+        """Write that the body comes to rest only beyond its position at the moment, if need be at the end."""
         formula, place, later = held.turning(self._ends_after(held)), self._place, len(self._places) > 1
         if not self.book.in_symbols and any(map(self.book.is_hidden, (formula, place))):
             self.book.afterwards.append(lambda: tell_beyond(self, held, formula, place, later=later))
@@ -267,7 +267,7 @@ class _Swinging(Oscillating):
             tell_beyond(self, held, formula, place, later=later)
 
     def _verify_others(self, held: Harmonic) -> None:
-        """Write that bodies at rest stay so while this one moves between the places where it turns back."""
+        """Write that bodies at rest stay at rest while this one moves between its turning points."""
         motion = held.motion
         assert isinstance(motion, LinearMotion)
         if not self._checks.resting(motion):
@@ -280,6 +280,6 @@ class _Swinging(Oscillating):
 
     @property
     def stretches(self) -> Sequence[Stretch]:
-        """All swings."""
+        """Return all half-oscillations as one motion with friction."""
         last = self.whole_place
         return [Rubbing(self, [*self._places, last])]

@@ -1,4 +1,4 @@
-"""Impulse: bodies that fly freely and collide; momentum and restitution at each impact that matters."""
+"""Impulse: free flights and collisions, by momentum and restitution at each relevant impact."""
 
 from collections.abc import Sequence
 from math import inf
@@ -43,43 +43,43 @@ MOMENTS = (AtStart, AtTime, Collided, Bounced, Moved, Stopped, HighestPoint, Awa
 
 @strategy
 class Impulse(Strategy):
-    """Free flights between collisions."""
+    """The strategy for bodies in free flight between collisions."""
 
     name = "impulse"
     cost = 0.8
     kinds = frozenset({"start", "state", "event", "time_to_event", "sum", "extremum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
+        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         return varying_acceleration(mechanism)
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """None where discs meet in a plane: where they touch takes two components of all that there is, and a root."""
+        """Return the kinds with formulas; none if discs collide obliquely, which takes roots and components."""
         oblique = any(meeting.normal is None for meeting in mechanism.meetings)
         return frozenset[str]() if oblique else self.kinds
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         if setting.query.kind == "extremum":
             return "" if at_top(setting) is not None else "it is no extreme value at the top of a path"
         return no_goal(setting, MOMENTS)
 
     def write(self, setting: Setting, book: Book) -> str:
-        """From the goal backwards."""
+        """Write the flights and impacts that the answer needs, and return its symbol."""
         return _Struck(at_top(setting) or setting, book).write()
 
 
 class _Struck(Way):
-    """The motion of bodies that collide, from which goals are answered by flights between impacts."""
+    """The motion of colliding bodies, as flights between impacts."""
 
     @cached_property
     def flights(self) -> Flights:
-        """All flights."""
+        """Return all flights."""
         return Flights(self.setting, self.book, timed=self.uses == "s")
 
     @property
     def newton(self) -> Newton:
-        """For masses and directions alone."""
+        """Return Newton's laws, for masses and directions alone."""
         return self._newton
 
     @cached_property
@@ -87,7 +87,7 @@ class _Struck(Way):
         return Newton(self.setting.lexicon, self.setting.motion.segments[0])
 
     def write(self) -> str:
-        """Return the time, or the goal."""
+        """Write the time or the quantity that is asked for, and return its symbol."""
         if not self.book.in_symbols and self.setting.most == Need.INTEGRATION:
             self._follow()
         if isinstance(self.query.moment, HighestPoint) and self.uses == "v":
@@ -98,7 +98,7 @@ class _Struck(Way):
         return found.name
 
     def _follow(self) -> None:
-        """Write all collisions before the moment in order, and in the end why no others come before them."""
+        """Write all collisions before the moment in order, and schedule the exclusion of others."""
         ever = isinstance(self.query.moment, LastCollision)
         until = self.time if isinstance(self.query.moment, AtTime) else None
         order = CollisionOrder(self.flights, inf if ever else self.setting.time)
@@ -107,18 +107,18 @@ class _Struck(Way):
         self.book.afterwards.append(lambda: order.tell(until))
 
     def force(self, kind: str, name: str) -> Symbol:
-        """None."""
+        """Raise UnsolvedError, since no contact acts in flight."""
         raise UnsolvedError(f"no {kind} of {name} in flight")
 
     @property
     def impacts(self) -> Sequence[Struck]:
-        """All collisions up to the moment, this one included."""
+        """Return all collisions up to and including the moment."""
         held = [impact for impact in self.flights.impacts if impact.time <= self.setting.time]
         return [StruckBodies(self.flights, impact) for impact in held]
 
     @property
     def stretches(self) -> Sequence[Stretch]:
-        """All flights of the body that is asked about, each as a part."""
+        """Return all flights of the body in question, each as a part of the motion."""
         assert self.target is not None
         body, held = self.target.subject, self.flights
         last = self.number(body)
@@ -128,14 +128,14 @@ class _Struck(Way):
 
     @cached_property
     def _flying(self) -> set[str]:
-        """Return the bodies whose flight at the moment asked about was verified in the text."""
+        """Return the bodies whose flight at the moment was verified in the text."""
         return set()
 
     # ---- the moment
 
     @cached_property
     def impact(self) -> Impact | None:
-        """The impact that the moment speaks of."""
+        """Return the impact to which the moment refers; None if it refers to none."""
         moment = self.query.moment
         if isinstance(moment, LastCollision):
             return [held for held in self.flights.impacts if held.time <= self.setting.time][-1]
@@ -149,7 +149,7 @@ class _Struck(Way):
 
     @cached_property
     def time(self) -> Symbol:
-        """Return when the moment comes."""
+        """Write the time of the moment, s, and return its symbol."""
         moment = self.query.moment
         if self.impact is not None:
             return self.flights.when(self.impact)
@@ -168,7 +168,7 @@ class _Struck(Way):
         raise UnsolvedError("there is no such moment in flight")
 
     def number(self, body: str) -> int:
-        """In which of its flights a body is at the moment, just before it or after it as the question says."""
+        """Return the index of a body's flight at the moment, just before or after an impact as stated."""
         if self.impact is None:
             return self.flights.count(body, None)
         moment = self.query.moment
@@ -176,7 +176,7 @@ class _Struck(Way):
         return self.flights.count(body, self.impact) + (1 if after and body in self.impact.bodies else 0)
 
     def rate(self, kind: str, k: int) -> Polynomial:
-        """At the moment."""
+        """Return the acceleration, velocity or displacement of a coordinate at the moment."""
         body = self.mechanism.coordinates[k].body
         if kind == "a":
             return self.flights.acceleration(k)
@@ -194,7 +194,7 @@ class _Struck(Way):
         return self.flights.velocity(body, number, k, self.time if needs_time else None)
 
     def _after_distance(self, moment: Moved) -> Symbol:
-        """Return when a body has moved so far: within one flight."""
+        """Write the time at which a body has moved a stated distance and return its symbol."""
         k, *_ = self.moving([moment.name])
         name = self.book.fresh("d")
         self.book.say_given(name.name, moment.value, METRES)
@@ -209,7 +209,7 @@ class _Struck(Way):
         return self._flown(leg.speeds[k], (before - target, target), k, said, leg)
 
     def _landing(self, body: str) -> Symbol:
-        """Return when a body that flies comes down to the ground, where its description ends."""
+        """Write the time at which a body reaches the ground and return its symbol."""
         k = next(k for k in self.moving([body]) if self.mechanism.coordinates[k].lower > -inf)
         height = self.setting.lexicon.of(lambda m: -m.coordinates[k].lower)
         leg = self.flights.leg(body, self.flights.count(body, None))
@@ -217,7 +217,7 @@ class _Struck(Way):
         return self._flown(leg.speeds[k], (height, NIL), k, said, leg)
 
     def _at_distance(self, moment: Away) -> Symbol:
-        """Return when a body in a plane is so far from where it began: a root that is found numerically."""
+        """Write the time at which a body is at a stated distance from its start; a numerical root."""
         body, number = moment.name, self.flights.count(moment.name, None)
         leg, name = self.flights.leg(body, number), self.book.fresh("d")
         self.book.say_given(name.name, moment.value, METRES)
@@ -246,7 +246,7 @@ class _Struck(Way):
         return self.flights.counted(self.flights.begins(leg), time)
 
     def _straight(self, speeds: list[Polynomial], distance: Symbol, body: str) -> Symbol:
-        """Return the time for a distance at a constant velocity."""
+        """Write the time to cover a distance at constant velocity and return its symbol."""
         squares: Expression = ZERO
         for speed in speeds:
             squares = added(squares, Power(speed.expression(), 2))
@@ -258,7 +258,7 @@ class _Struck(Way):
         return time
 
     def _turning(self, body: str) -> Symbol:
-        """Return when the rate along which a body rises or falls is zero."""
+        """Write the time at which the velocity of a body along its line is zero and return its symbol."""
         found = [k for k in self.moving([body]) if self.flights.acceleration(k)]
         if len(found) != 1:
             raise UnsolvedError("nothing turns it back")
@@ -275,7 +275,7 @@ class _Struck(Way):
         return self.flights.counted(self.flights.begins(leg), name)
 
     def _flown(self, speed: Polynomial, way: tuple[Polynomial, Polynomial], k: int, said: str, leg: Leg) -> Symbol:
-        """Write when the `way`, what is left of it and where it leads to, is done."""
+        """Write the time at which a body reaches a target; `way` is the remaining displacement and the target."""
         (gap, target), a = way, self.flights.acceleration(k)
         parts: tuple[Polynomial, Polynomial, Polynomial] | None = None
         step, name = self.book.open("time"), self.book.fresh("t")

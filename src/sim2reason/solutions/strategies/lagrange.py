@@ -1,4 +1,4 @@
-"""Lagrange's equations: where several things move by themselves, energy and work give all accelerations at once.
+"""Lagrange's equations: several free coordinates, whose accelerations follow from one linear system.
 
 See Goldstein, Poole and Safko, Classical Mechanics, chapter 1.
 """
@@ -28,28 +28,28 @@ HALF = Number(0.5)
 
 @strategy
 class Lagrange(Strategy):
-    """Several free coordinates; all forces constant, but for springs at the start."""
+    """The strategy for several free coordinates, with constant forces; with springs only at the start."""
 
     name = "Lagrange's equations"
     cost = 3.0
     kinds = frozenset({"start", "state", "event", "time_to_event"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return whether something may collide, or its equations are not linear."""
+        """Return why the strategy cannot apply to a mechanism: collisions or nonlinear equations; empty if it may."""
         return "something may collide" if mechanism.meetings else nonlinear(mechanism)
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """At the start alone where springs pull."""
+        """Return the question kinds with formulas; with springs only those about the start."""
         return frozenset({"start"}) if _springy(mechanism) else self.kinds
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         if _springy(setting.mechanism) and not isinstance(setting.query.moment, AtStart):
             return "accelerations change as it moves"
         return no_goal(setting, MOMENTS)
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Return the equations, the accelerations, then what is asked."""
+        """Write the equations, the accelerations and the answer, and return its symbol."""
         way = _Together(setting, book)
         if way.target is None or way.goal is None:
             return way.time.name
@@ -61,7 +61,7 @@ def _springy(mechanism: Mechanism) -> bool:
 
 
 class _Together(LinearWay):
-    """All accelerations from one system of equations."""
+    """A motion model with all accelerations from one system of equations."""
 
     @cached_property
     def _free(self) -> list[int]:
@@ -76,7 +76,7 @@ class _Together(LinearWay):
 
     @cached_property
     def _accelerations(self) -> Mapping[int, Symbol]:
-        """One after the other by Cramer's rule."""
+        """Write Lagrange's equations and their solution by Cramer's rule; return the symbols."""
         free = self._free
         marks = {i: self.setting.mark(self.mechanism.coordinates[i].body) for i in free}
         places = {i: self.book.fresh("x", mark) for i, mark in marks.items()}
@@ -106,7 +106,7 @@ class _Together(LinearWay):
 
     @cached_property
     def time(self) -> Symbol:
-        """Of a moment that is not the start."""
+        """Write the time of the moment, s, and return its symbol; UnsolvedError for the start."""
         moment, name = self.query.moment, self.book.fresh("t")
         if isinstance(moment, AtTime):
             self.book.say_given(name.name, moment.after, SECONDS)
@@ -143,7 +143,7 @@ class _Together(LinearWay):
         return self._known[base, i]
 
     def place(self, i: int) -> Polynomial:
-        """½ a t² and what it would have come without."""
+        """Return the displacement v₀ t + ½ a t²."""
         if isinstance(self.query.moment, AtStart):
             return NIL
         rise, first = self._accelerations[i], self.first(i)
@@ -152,7 +152,7 @@ class _Together(LinearWay):
         return self._told("s", i, formula, METRES, "The displacement is then")
 
     def speed(self, i: int) -> Polynomial:
-        """Return a t and what it had."""
+        """Return the velocity v₀ + a t."""
         first = self.first(i)
         if isinstance(self.query.moment, AtStart):
             return first
@@ -161,5 +161,5 @@ class _Together(LinearWay):
         return self._told("v", i, formula, SPEED, "The velocity is then")
 
     def acceleration(self, i: int) -> Polynomial:
-        """Return the same all the while."""
+        """Return the constant acceleration."""
         return Polynomial.of(self._accelerations[i])

@@ -1,4 +1,4 @@
-"""Limit: the answer as a formula, and the terms that are left of it as one mass grows without bound or vanishes."""
+"""Limit: the leading terms of the answer as one mass grows without bound or vanishes."""
 
 from sim2reason.questions.kinds.limit import LimitKind, LimitQuery
 from sim2reason.scenes.dsl.mechanism import Mechanism
@@ -13,7 +13,7 @@ from sim2reason.solutions.writing.steps import Book, UnsolvedError
 
 @strategy
 class Limit(Strategy):
-    """The terms of the highest power of a mass that grows without bound, or of the lowest of one that vanishes."""
+    """The strategy that keeps the dominant power of a mass that grows without bound or vanishes."""
 
     name = "limit"
     cost = 1.0
@@ -21,11 +21,11 @@ class Limit(Strategy):
     nested = True
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Limits, if some strategy has a formula for what has one."""
+        """Return the limits, if some strategy has a formula for the inner question."""
         return self.kinds if any(deriving(kind, mechanism) for kind in LimitKind.inner) else frozenset()
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         if not isinstance(setting.query, LimitQuery):
             return "no limit is asked for"
         inner = inner_setting(setting)
@@ -33,7 +33,7 @@ class Limit(Strategy):
         return "" if offered else f"no formula for the kind {inner.query.kind}"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Write the formula, then its limit."""
+        """Write the formula and its limit, and return the symbol of the limit."""
         query = setting.query
         assert isinstance(query, LimitQuery)
         symbol, inner = lone_symbol(setting, query.path), inner_setting(setting)

@@ -1,4 +1,4 @@
-"""Limiting case: from where on something slips, or rises: friction at its greatest, the acceleration still zero."""
+"""Limiting case: the onset of slipping or rising, with friction at its greatest and zero acceleration."""
 
 from dataclasses import replace
 
@@ -18,35 +18,35 @@ from sim2reason.solutions.strategies import Strategy, strategy, varying_accelera
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ACCELERATION
 
-ASIDE = 1e-5  # relative: how far from the limit it is seen what moves
-INSTANT = 1e-6  # s
-NEAR = 1e-3  # relative: how far from the limit of the engine that of the laws may be
+ASIDE = 1e-5  # relative distance from the threshold at which the motion is simulated
+INSTANT = 1e-6  # s, duration of that simulation
+NEAR = 1e-3  # relative tolerance between the thresholds of the laws and of the engine
 
 
 @strategy
 class LimitingCase(Strategy):
-    """The value of a number from which on a body slips on its face, or begins to move up."""
+    """The strategy for the threshold value at which a body begins to slip on its face or to rise."""
 
     name = "limiting case"
     cost = 1.0
     kinds = frozenset({"threshold"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return whether nothing that is let go could slip, or be lifted."""
+        """Return the reason that no body released at rest could slip or be lifted; empty if one could."""
         lifted = mechanism.lines or mechanism.forces
         if any(c.speed for c in mechanism.coordinates) or not (lifted or any(f.friction for f in mechanism.faces)):
             return "nothing is let go that could stay at rest"
         return varying_acceleration(mechanism)
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if not isinstance(query, ThresholdQuery) or not isinstance(query.outcome, Slides | Rises):
             return "the outcome does not show at once"
         return "" if setting.sought is not None else "there is no such value"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Newton's laws as if it moved, the acceleration set to zero."""
+        """Write Newton's laws for impending motion with zero acceleration; return the symbol of the threshold."""
         path, sought = setting.unknown, book.sought
         query = setting.query
         assert isinstance(query, ThresholdQuery)
@@ -65,13 +65,13 @@ class LimitingCase(Strategy):
         return write(replace(setting, scene=setting.scene.having(path, value)), query, book)
 
     def _balanced(self, setting: Setting, query: ThresholdQuery, book: Book) -> str:
-        """Write the laws with what is zero at the limit."""
+        """Write the laws without the terms that vanish at the threshold."""
         assert query.outcome is not None
         balance = LimitingBalance(setting, book, _moving(setting, query), query.outcome.name)
         return balance.write(slides=isinstance(query.outcome, Slides))
 
     def _accelerated(self, setting: Setting, query: ThresholdQuery, book: Book) -> str:
-        """Write the laws as if it moved, the acceleration they lead to, and that it is zero."""
+        """Write the laws as if it moved, their acceleration, and that this is zero."""
         assert query.outcome is not None
         dynamics, name = LimitingDynamics(setting, book, _moving(setting, query)), query.outcome.name
         goals = _rate(dynamics, name, slides=isinstance(query.outcome, Slides))
@@ -91,7 +91,7 @@ class LimitingCase(Strategy):
 
 
 def _moving(setting: Setting, query: ThresholdQuery) -> Segment:
-    """Return the start of the motion next to the limit, on the side where it comes about."""
+    """Return the initial segment of a motion next to the threshold, on the side on which it occurs."""
     trial, limit = query.trial(setting.study), float(setting.scene.value(query.parameter))
     for side in (1.0 + ASIDE, 1.0 - ASIDE):
         if trial(limit * side):
@@ -101,7 +101,7 @@ def _moving(setting: Setting, query: ThresholdQuery) -> Segment:
 
 
 def _rate(dynamics: WrittenDynamics, name: str, *, slides: bool) -> dict[int, Polynomial]:
-    """Return the acceleration that is zero, by coordinate: of a slip on a face, or of a body along its line."""
+    """Return the combination of accelerations that is zero, by coordinate: of a slip, or of a body on its line."""
     if slides:
         face = next(n for n, held in enumerate(dynamics.mechanism.faces) if held.subject == name)
         found = dynamics.newton.slip(face)

@@ -1,6 +1,6 @@
-"""Limiting swing: the value of a number from which on something goes right round, or a string goes slack.
+"""Limiting swing: the threshold at which a body goes right round, or a string goes slack.
 
-By energy: what goes round is at rest on top; a string is without tension there, or at its height of the fixed point.
+By energy: a rigid body is at rest at the top; a string has no tension there, or at the height of the fixed point.
 """
 
 from sim2reason.questions.kinds.threshold import ThresholdQuery
@@ -17,7 +17,7 @@ from sim2reason.solutions.writing.steps import Book
 from sim2reason.solutions.writing.unit_latex import JOULES, latex
 
 HALF, TWO, THREE = Number(0.5), Number(2.0), Number(3.0)
-STEP = 1e-6  # relative: by how much a number is changed to see what grows with it
+STEP = 1e-6  # relative change of a number to find how the result depends on it
 TAUT = "The string stays taut if the body turns back below the fixed point."
 BELOW = f"{TAUT} By conservation of energy, the square of the speed at that height is"
 TENSE = "At the top the string stays taut if the centripetal force required is greater than the weight."
@@ -26,26 +26,26 @@ ON_TOP = f"{TENSE} By conservation of energy, the squared speed exceeds $g$ time
 
 @strategy
 class LimitingSwing(Strategy):
-    """The value from which on what swings about a fixed point or axle goes right round, or its string goes slack."""
+    """The strategy for the threshold at which a swing goes right round, or its string goes slack."""
 
     name = "limiting swing"
     cost = 1.0
     kinds = frozenset({"threshold"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return whether nothing swings by itself."""
+        """Return the reason that no body swings about a fixed point or axle by itself; empty if one does."""
         swings = pivot(mechanism) is not None or lone_axle(mechanism)
         return "" if swings else "nothing swings about a fixed point by itself"
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if not isinstance(query, ThresholdQuery) or not isinstance(query.outcome, GoesRound | GoesSlack):
             return "it is not about going round or slack"
         return "" if setting.sought is not None else "there is no such value"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Return what is left of the energy in the limiting case, which is nothing; then the number."""
+        """Write the energy in excess, which is zero at the threshold, and return the symbol of the threshold."""
         left = _of_body(setting, book) if pivot(setting.mechanism) is not None else _of_axle(setting, book)
         step = book.open("limit")
         step.say(f"In the limiting case, {step.law(left, ZERO)}.")
@@ -54,7 +54,7 @@ class LimitingSwing(Strategy):
 
 
 def _of_axle(setting: Setting, book: Book) -> Symbol:
-    """Of a rigid body: its energy of motion on top."""
+    """Write the kinetic energy of a rigid body at the top, J, and return its symbol."""
     arm = Arm(setting, book)
     first: Expression = Call("cos", arm.first)
     lift = arm.moment * (ONE + first) if book.value(arm.moment) > 0.0 else -arm.moment * (ONE - first)
@@ -72,14 +72,14 @@ def _of_axle(setting: Setting, book: Book) -> Symbol:
 
 
 def _varied(setting: Setting, book: Book) -> str:
-    """Return the symbol of the quantity that has the limiting value, whether that value is given or asked for."""
+    """Return the symbol of the parameter with the threshold, whether that is given or asked for."""
     assert isinstance(setting.query, ThresholdQuery)
     given = setting.given(setting.query.parameter)
     return given.symbol if given is not None else book.sought
 
 
 def _grows(book: Book, name: Symbol, varied: str) -> bool:
-    """Return whether what was told last increases with a number."""
+    """Return whether the last result increases with a parameter."""
     values = {**book.values, varied: book.values[varied] * (1.0 + STEP)}
     for step in book.steps:
         for held in step.relations:
@@ -89,7 +89,7 @@ def _grows(book: Book, name: Symbol, varied: str) -> bool:
 
 
 def _of_body(setting: Setting, book: Book) -> Symbol:
-    """Of a small body, over its mass: v² on top, or where its string would go slack."""
+    """Write v² of a small body at the top, or less its value for a slack string, and return its symbol."""
     lexicon, query = setting.lexicon, setting.query
     length, angle, launch = (lexicon.of(lambda m, n=n: geometry(m)[n]).expression() for n in range(3))
     gravity = lexicon.of(lambda m: -m.gravity[2]).expression()

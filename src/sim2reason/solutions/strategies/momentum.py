@@ -1,4 +1,4 @@
-"""Momentum: where nothing outside pulls along a direction, momentum is kept; energy gives the relative motion."""
+"""Momentum: conserved along a direction without external forces, with energy for the relative motion."""
 
 from sim2reason.questions.moments.turning_points import Stopped
 from sim2reason.scenes.dsl.mechanism import Mechanism
@@ -16,7 +16,7 @@ from sim2reason.solutions.writing.unit_latex import SPEED
 
 @strategy
 class MomentumKept(WorkAndEnergy):
-    """Two free coordinates, one of them along a direction of which nothing pulls."""
+    """The strategy for two free coordinates with a conserved momentum."""
 
     name = "momentum"
     cost = 0.95
@@ -24,20 +24,20 @@ class MomentumKept(WorkAndEnergy):
     free = 2
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return why it applies to nothing: as for energy, or a single body moves."""
+        """Return why the strategy cannot apply: as for energy, or only one body moves; empty if it may."""
         alone = len({coordinate.body for coordinate in mechanism.coordinates}) < self.free
         return "a single body moves" if alone else super().unfit(mechanism)
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Return the reduced mass, the work, what momentum says, then what is asked."""
+        """Write the reduced mass, the work, the momentum and the answer, and return its symbol."""
         return _Pair(setting, book).write().name
 
 
 class _Pair(PairWay, EnergyWay):
-    """The relative motion by energy."""
+    """A motion model of two bodies with relative speeds from energy."""
 
     def _turning(self) -> Symbol:
-        """And that what comes to rest later still moves where the relative motion turns back."""
+        """Write the turning point, and that a body that stops later still moves there; return its symbol."""
         found, moment, book = super()._turning(), self.query.moment, self.book
         if not self.greatest or not isinstance(moment, Stopped) or not self.kept:
             return found

@@ -1,4 +1,4 @@
-"""Normal modes: several bodies on springs along lines, each a sum of oscillations that do not disturb each other."""
+"""Normal modes: several bodies on springs along lines, as sums of independent oscillations."""
 
 from collections.abc import Callable, Sequence
 
@@ -31,38 +31,38 @@ from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ACCELERATION, METRES, SECONDS, SPEED
 
 Law = Callable[[list[Mode], int, Symbol], Expression]
-LAWS: tuple[Law, ...] = place, speed, acceleration, jerk  # each the derivative of the one before
+LAWS: tuple[Law, ...] = place, speed, acceleration, jerk  # each is the derivative of the one before
 WAYS = "the sum over the modes,", "differentiating,", "differentiating twice,"
-ORDERS = {"s": 0, "v": 1, "a": 2}  # of what goals use
+ORDERS = {"s": 0, "v": 1, "a": 2}  # order of the time derivative that a goal uses
 
 
 @strategy
 class SeveralModes(Strategy):
-    """Several free coordinates."""
+    """The strategy for several free coordinates on springs."""
 
     name = "normal modes"
     cost = 1.5
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "period", "sum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
+        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         return not_driven_back(mechanism)
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Periods of two modes alone: how far each mode is excited takes more than the roots of one quadratic."""
+        """Return the periods of at most two modes, since amplitudes need more than one quadratic equation."""
         return frozenset({"period"} if fewest_free(mechanism) <= PAIR else ())
 
     def refusal(self, setting: Setting) -> str:
-        """Return why an oscillation of a single mode would be refused, too; empty if it would not."""
+        """Return why the oscillation strategy does not apply to a question; empty if it does."""
         return STRATEGIES["oscillation"].refusal(setting)
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Return the modes, what is excited, the moment."""
+        """Write the modes, their excitation, the moment and the answer, and return its symbol."""
         return _Modal(setting, book).write().name
 
 
 class _Modal(LinearWay):
-    """Sums over modes."""
+    """A motion model with displacements as sums over modes."""
 
     @cached_property
     def _all(self) -> NormalModes:
@@ -84,7 +84,7 @@ class _Modal(LinearWay):
 
     @cached_property
     def _forms(self) -> list[Form]:
-        """The sums of places, or derivatives of them, that the moment and the goal are about."""
+        """Return the linear combinations of displacements, or derivatives, that the moment and the answer need."""
         found = self._sought
         if self.target is not None and self.goal is not None:
             lines = self.goal.lines(self.target)
@@ -94,7 +94,7 @@ class _Modal(LinearWay):
 
     @property
     def _sought(self) -> list[tuple[int, dict[int, float]]]:
-        """Return the order of the derivative and the weights of the coordinates in the sum that is then zero."""
+        """Return derivative order and weights by coordinate of the sum that vanishes at the moment."""
         if isinstance(self.query.moment, AtTime) and not self.greatest:
             return []
         _, parts, law = self._condition
@@ -106,7 +106,7 @@ class _Modal(LinearWay):
 
     @property
     def _order(self) -> int:
-        """Return the order of the lowest time derivative of places on which the goal depends."""
+        """Return the order of the lowest time derivative of displacements on which the goal depends."""
         assert self.target is not None
         assert self.goal is not None
         order = ORDERS.get(self.goal.uses, 0)
@@ -114,7 +114,7 @@ class _Modal(LinearWay):
         return min(order, 1) if on_a_ring else order
 
     def write(self) -> Symbol:
-        """Write the answer to the query, and return its symbol."""
+        """Write the answer to the query and return its symbol."""
         query = self.query
         if isinstance(query, PeriodQuery):
             return measured_period(self.book, query, natural_frequency(self._all, query))
@@ -125,7 +125,7 @@ class _Modal(LinearWay):
         return self.goal.write(self.target, self)
 
     def _refuse_roots(self) -> None:
-        """Raise UnsolvedError before all is written that leads to a numerical root which no result may need."""
+        """Raise UnsolvedError, before writing, if a numerical root is needed but not allowed."""
         if self.book.most >= Need.ROOT:
             return
         held = self._all
@@ -137,7 +137,7 @@ class _Modal(LinearWay):
 
     @cached_property
     def _time(self) -> Symbol:
-        """Return when it is: given, or the root of what the moment says."""
+        """Write the time of the moment, s, given or as a root, and return its symbol."""
         moment, name = self.query.moment, self.book.fresh("t")
         if isinstance(moment, AtTime) and not self.greatest:
             self.book.say_given(name.name, moment.after, SECONDS)
@@ -162,7 +162,7 @@ class _Modal(LinearWay):
 
     @cached_property
     def _goes_on(self) -> Expression:
-        """Return what is added to the sum of places, in m: an initial strain, or a distance."""
+        """Return the constant term of the condition, m: an initial strain or a distance."""
         moment = self.query.moment
         if self.greatest:
             return ZERO
@@ -177,7 +177,7 @@ class _Modal(LinearWay):
 
     @cached_property
     def _distance(self) -> Symbol:
-        """The symbol of the distance between a body and its starting point at the moment, m."""
+        """Return the symbol of the stated distance of a body from its starting point, m."""
         assert isinstance(self.query.moment, Moved)
         name = self.book.fresh("d")
         self.book.say_given(name.name, self.query.moment.value, METRES)
@@ -185,7 +185,7 @@ class _Modal(LinearWay):
 
     @cached_property
     def _condition(self) -> tuple[str, dict[int, float], Law]:
-        """Return the condition for the moment in words, with factors by coordinate of a sum that comes to a number."""
+        """Return the condition for the moment in words, its weights by coordinate, and the derivative it uses."""
         moment = self.query.moment
         if self.greatest:
             return self._extreme()
@@ -208,7 +208,7 @@ class _Modal(LinearWay):
         return {i: part for i in self.motion.free if (part := self.motion.drawn(number, i))}
 
     def _extreme(self) -> tuple[str, dict[int, float], Law]:
-        """Return the condition at a greatest value: the next derivative of what the goal depends on is zero."""
+        """Return the condition at a greatest value: the next derivative of the quantity is zero."""
         assert self.target is not None
         assert self.goal is not None
         if self.goal.uses not in ORDERS:
@@ -235,7 +235,7 @@ class _Modal(LinearWay):
 
     @property
     def stretches(self) -> Sequence[Stretch]:
-        """The whole motion, with the places where the body turns back that is asked about."""
+        """Return the whole motion, with the turning points of the body in question."""
         assert self.target is not None
         own = self.moving([self.target.subject])
         if len(own) != 1 or own[0] not in self.motion.free:
@@ -245,7 +245,7 @@ class _Modal(LinearWay):
         return [Travelled(self, [ZERO, *self._at(i, [*times, last])])]
 
     def _turned(self, i: int) -> list[Symbol]:
-        """Write when a free coordinate turns back before the moment."""
+        """Write the times at which a free coordinate turns back before the moment."""
         nears = turning_times(self.setting.study.trace, i, self.setting.time)
         if not nears:
             return []
@@ -259,7 +259,7 @@ class _Modal(LinearWay):
         return names
 
     def _at(self, i: int, times: list[Symbol]) -> list[Symbol]:
-        """Write where it is at some times."""
+        """Write the values of a free coordinate at some times."""
         step, names = self.book.open("place"), [self.book.fresh("x") for _ in times]
         formulas = [place(self._modes, self.motion.free.index(i), time) for time in times]
         told = [step.result(n, formula, METRES, law=True) for n, formula in zip(names, formulas, strict=True)]
@@ -268,7 +268,7 @@ class _Modal(LinearWay):
         return names
 
     def _told(self, order: int, i: int, base: str, unit: str) -> Polynomial:
-        """Write a sum over modes, or its derivative of some order after the sum itself, once; return its symbol."""
+        """Write the displacement as a sum over modes, or its derivative of some order, once; return its symbol."""
         if (base, i) not in self._known:
             body, number = self.mechanism.coordinates[i].body, self.motion.free.index(i)
             own = base == "x" and self.setting.stated is None  # a value that is given is no function of time
@@ -281,7 +281,7 @@ class _Modal(LinearWay):
         return self._known[base, i]
 
     def place(self, i: int) -> Polynomial:
-        """Return how far a free coordinate has come, in m."""
+        """Return the displacement of a free coordinate, in m."""
         return self._told(0, i, "x", METRES)
 
     def speed(self, i: int) -> Polynomial:

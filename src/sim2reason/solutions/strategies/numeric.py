@@ -1,4 +1,4 @@
-"""Numerical integration: the equations of motion of each phase with their initial values, and the answer read off."""
+"""Numerical integration: the initial-value problem of each phase, and the answer from its solution."""
 
 from sim2reason.solutions.phases.integrated import IntegratedPhases
 from sim2reason.solutions.setting import Setting
@@ -8,7 +8,7 @@ from sim2reason.solutions.writing.steps import Book
 
 @strategy
 class NumericalIntegration(Strategy):
-    """Any motion whose equations can be written in the numbers of the text, integrated phase by phase."""
+    """The strategy for any motion with equations in the numbers of the text, integrated phase by phase."""
 
     name = "integration"
     cost = 100.0
@@ -16,11 +16,11 @@ class NumericalIntegration(Strategy):
     integrates = True
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         if setting.formula is not None:
             return "integration gives no formula"
         return "" if setting.answer is not None else "there is no answer"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Write the phases in order, then the answer."""
+        """Write the phases in order and the answer, and return its symbol."""
         return IntegratedPhases(setting, book).write()

@@ -1,4 +1,4 @@
-"""Optimum: the answer as a formula of the number that is free, and where its derivative vanishes."""
+"""Optimum: the answer as a function of a free parameter, and the zero of its derivative."""
 
 from sim2reason.questions.kinds.optimum import OptimumKind, OptimumQuery
 from sim2reason.scenes.dsl.mechanism import Mechanism
@@ -26,12 +26,12 @@ from sim2reason.solutions.setting import Setting
 from sim2reason.solutions.strategies import Strategy, deriving, strategy
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 
-LONGEST = 200  # characters of the numerator of a derivative
+LONGEST = 200  # maximum length of the LaTeX of the numerator of a derivative
 
 
 @strategy
 class Optimum(Strategy):
-    """The value of a number for which an answer is greatest or least, where its derivative vanishes."""
+    """The strategy for the parameter value at which an answer is greatest or least."""
 
     name = "optimum"
     cost = 1.0
@@ -39,11 +39,11 @@ class Optimum(Strategy):
     nested = True
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Optima, if some strategy has a formula for what is to be greatest or least."""
+        """Return the optima, if some strategy has a formula for the optimised question."""
         return self.kinds if any(deriving(kind, mechanism) for kind in OptimumKind.inner) else frozenset()
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if not isinstance(query, OptimumQuery) or setting.sought is None:
             return "there is no such value"
@@ -52,7 +52,7 @@ class Optimum(Strategy):
         return "" if offered else f"no formula for the kind {inner.query.kind}"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Return the formula, its derivative, the number, and the extreme value where that is asked for."""
+        """Write the formula, its derivative, the optimal parameter and, if asked for, the extreme value."""
         query = setting.query
         assert isinstance(query, OptimumQuery)
         symbol, inner = lone_symbol(setting, query.path), inner_setting(setting)
@@ -77,7 +77,7 @@ class Optimum(Strategy):
 
 
 def _stationary(book: Book, query: OptimumQuery, goal: str, whole: Expression, symbol: str) -> None:
-    """Write for which value of a symbol a formula is greatest or least."""
+    """Write the value of a symbol at which a formula is greatest or least."""
     core, turned = _core(whole, symbol)
     greatest = query.greatest is not turned
     try:
@@ -97,7 +97,7 @@ def _stationary(book: Book, query: OptimumQuery, goal: str, whole: Expression, s
 
 
 def _core(held: Expression, symbol: str) -> tuple[Expression, bool]:
-    """What a positive formula grows with, without roots and factors free of a symbol; whether it falls with that."""
+    """Return the part of a positive formula that decides its growth, and whether the formula falls with it."""
     match held:
         case Root():
             return _core(held.inside, symbol)
@@ -116,7 +116,7 @@ def _core(held: Expression, symbol: str) -> tuple[Expression, bool]:
 
 
 def _numerator(slope: Expression) -> Expression:
-    """Return what of a derivative vanishes; UnsolvedError if it is too long."""
+    """Return the numerator of a derivative; raise UnsolvedError if it is too long."""
     try:
         found = shortened(fraction(slope).above.factored()).expression
     except (OverflowError, ClosedFormError) as error:

@@ -1,4 +1,4 @@
-"""Orbit: a light body about a fixed one; energy, angular momentum, and Kepler's laws."""
+"""Orbit: a light body around a fixed one, by energy, angular momentum and Kepler's laws."""
 
 from sim2reason.base.lazy import cached_property
 from sim2reason.questions.kinds.parts.stretch_kind import StretchQuery
@@ -31,24 +31,24 @@ FUNCTIONALS = {
     "greatest acceleration": ("pull", False),
     "greatest distance": ("radius", True),
     "least distance": ("radius", False),
-}  # which quantity at which apsis: the far one or the near one
+}  # the quantity, and whether it is taken at the far apsis
 ALL_ROUND, QUARTER = 360, 90
 
 
 @strategy
 class Orbit(Strategy):
-    """A light body on an ellipse about a fixed one, at any moment."""
+    """The strategy for a light body on an ellipse around a fixed one, at any moment."""
 
     name = "orbit"
     cost = 1.0
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "period", "sum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
+        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         return "" if _by_itself(mechanism) else "no light body goes round a fixed one by itself"
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if isinstance(query, PeriodQuery):
             return "" if query.measure == "period" and not query.small else "no orbital period is asked for"
@@ -61,12 +61,12 @@ class Orbit(Strategy):
         return "" if quantity in ("", *QUANTITIES) else f"no way to the quantity {quantity}"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Return the orbit, the place on it, and what is asked."""
+        """Write the orbit, the position on it and the answer, and return its symbol."""
         return _OnOrbit(setting, book).write().name
 
 
 def _by_itself(m: Mechanism) -> bool:
-    """Return whether every body that moves is attracted by one that is fixed, and by nothing else."""
+    """Return whether every moving body is attracted by one fixed body, and by nothing else."""
     moving = [body.name for body in m.bodies if body.coordinates]
     pulls = {body: [pull for pull in m.attractions if body in (pull.a, pull.b)] for body in moving}
     other = m.lines or m.faces or m.forces or m.burns or m.meetings or m.feet
@@ -78,16 +78,16 @@ def _by_itself(m: Mechanism) -> bool:
 
 
 class _OnOrbit(Way):
-    """Bodies on orbits, and the quantities that are asked of them."""
+    """The quantities of bodies on orbits."""
 
     def __init__(self, setting: Setting, book: Book) -> None:
-        """Nothing is written yet."""
+        """Start without orbits and positions."""
         super().__init__(setting, book)
         self._orbits: dict[str, KeplerOrbit] = {}
         self._places: dict[str, OrbitPlace] = {}
 
     def write(self) -> Symbol:
-        """Write the answer to the query, and return its symbol."""
+        """Write the answer to the query and return its symbol."""
         query, target = self.query, self.target
         if isinstance(query, PeriodQuery):
             return self.orbit(query.of[0]).period
@@ -126,13 +126,13 @@ class _OnOrbit(Way):
 
     @property
     def _mover(self) -> str:
-        """Whose motion says when the moment is."""
+        """Return the body whose motion defines the moment."""
         moment = self.query.moment
         assert isinstance(moment, Away | Closest | Farthest | Orbited)
         return self._moving(moment.name)
 
     def place(self, body: str) -> OrbitPlace:
-        """Return where a body is at the moment."""
+        """Return the position of a body on its orbit at the moment."""
         if body not in self._places:
             by_time = isinstance(self.query.moment, AtTime) or self._mover != body
             orbit = self.orbit(body)
@@ -141,7 +141,7 @@ class _OnOrbit(Way):
 
     @cached_property
     def _there(self) -> OrbitPlace:
-        """Return where the body is whose motion says when the moment is."""
+        """Return the position, at the moment, of the body whose motion defines the moment."""
         moment, orbit = self.query.moment, self.orbit(self._mover)
         if isinstance(moment, Away):
             distance = self.book.fresh("d")
@@ -161,7 +161,7 @@ class _OnOrbit(Way):
 
     @cached_property
     def time(self) -> Symbol:
-        """Return when the moment is."""
+        """Write the time of the moment, s, and return its symbol."""
         moment = self.query.moment
         if isinstance(moment, AtTime):
             name = self.book.fresh("t")
@@ -208,11 +208,11 @@ class _OnOrbit(Way):
 
     @property
     def newton(self) -> Newton:
-        """None is needed."""
+        """Raise UnsolvedError, since the mass of the orbiting body is not given."""
         raise UnsolvedError("the mass of what is attracted is not said")
 
     def force(self, kind: str, name: str) -> Symbol:
-        """None."""
+        """Raise UnsolvedError, since no contact or string exerts a force."""
         raise UnsolvedError(f"no {kind} of {name}")
 
     def rate(self, kind: str, k: int) -> Polynomial:

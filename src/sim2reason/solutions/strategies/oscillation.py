@@ -1,4 +1,4 @@
-"""Oscillation: where springs drive back what has one way to move, it oscillates harmonically about a place of balance.
+"""Oscillation: one free coordinate on springs oscillates harmonically about its equilibrium.
 
 See any textbook, such as Kleppner and Kolenkow, An Introduction to Mechanics, chapter 3.
 """
@@ -35,23 +35,23 @@ SUMS = (
     *("distance travelled", "impulse of the net force", "impulse of a tension", "work of a tension"),
     "energy dissipated by friction",
 )
-PAIR = 2  # free coordinates, of which one mode is left where a momentum is kept
+PAIR = 2  # free coordinates of which one mode is left if a momentum is conserved
 
 
 @strategy
 class Oscillation(Strategy):
-    """One mode of oscillation, along a line or with strings over pulleys."""
+    """The strategy for one mode of oscillation, along a line or with strings over pulleys."""
 
     name = "oscillation"
     cost = 1.1
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "period", "sum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
+        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         return not_driven_back(mechanism) or ("there are several modes" if fewest_free(mechanism) > PAIR else "")
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if isinstance(query, StretchQuery) and query.kind == "sum" and query.functional not in SUMS:
             return f"no way to the {query.functional}"
@@ -59,20 +59,20 @@ class Oscillation(Strategy):
         return f"no way to the quantity {target.quantity}" if target and target.quantity not in GOALS else ""
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Return the place of balance and the angular frequency, then the moment."""
+        """Write the equilibrium, the angular frequency, the moment and the answer, and return its symbol."""
         way = Oscillating(setting, book)
         return (_Pair(setting, book) if len(way.linear.free) == 2 else way).write().name
 
 
 def not_driven_back(mechanism: Mechanism) -> str:
-    """Return why nothing oscillates by linear equations, such as *there is no spring*; empty if something may."""
+    """Return why no linear oscillation is possible, such as *there is no spring*; empty if one may be."""
     if not any(isinstance(line.law, Elastic) for line in mechanism.lines):
         return "there is no spring"
     return "something may collide" if mechanism.meetings else nonlinear(mechanism)
 
 
 class Oscillating(SingleWay):
-    """One free coordinate; places are counted from `begin`, at `started` s, when it has `turned` so many times."""
+    """A motion model of one free coordinate, counted from `begin` at `started` s after `turned` turning points."""
 
     begin: Expression = ZERO
     started = 0.0
@@ -80,12 +80,12 @@ class Oscillating(SingleWay):
 
     @property
     def name(self) -> Symbol:
-        """The symbol of the free coordinate, counted from `begin`."""
+        """Return the symbol of the free coordinate, counted from `begin`."""
         return self.harmonic.name
 
     @cached_property
     def harmonic(self) -> Harmonic:
-        """The oscillation; UnsolvedError where there is none, or more than one."""
+        """Return the oscillation; raise UnsolvedError unless there is exactly one undamped mode."""
         motion = self.motion
         if len(motion.free) != 1:
             raise UnsolvedError("there are several modes")
@@ -97,7 +97,7 @@ class Oscillating(SingleWay):
         return Harmonic(self.book, motion, name, self.first(i))
 
     def write(self) -> Symbol:
-        """Write the answer to the query, and return its symbol."""
+        """Write the answer to the query and return its symbol."""
         query, held = self.query, self.harmonic
         _ = held.numbers
         self.stops_alone()
@@ -112,7 +112,7 @@ class Oscillating(SingleWay):
 
     @cached_property
     def _when(self) -> float:
-        """The time, s, by the engine: of a greatest value, when that is taken."""
+        """Return the engine's time of the moment or of the greatest value, s."""
         query, until = self.query, self.setting.time
         functional = FUNCTIONALS[query.functional] if isinstance(query, StretchQuery) else None
         if not isinstance(query, StretchQuery) or not isinstance(functional, Extreme):
@@ -125,7 +125,7 @@ class Oscillating(SingleWay):
 
     @cached_property
     def _angle(self) -> Expression:
-        """ωt."""
+        """Return the phase ωt at the moment."""
         moment, held = self.query.moment, self.harmonic
         if isinstance(moment, AtTime):
             return held.rate * self.since(self._given_time)
@@ -135,15 +135,15 @@ class Oscillating(SingleWay):
 
     @property
     def since_begun(self) -> float:
-        """The time since it began from where places are counted, s."""
+        """Return the time of the moment since the displacement was `begin`, s."""
         return self._when - self.started
 
     def since(self, time: Symbol) -> Symbol:
-        """Return the same of a time since the start; by default it began then."""
+        """Return a time counted from `begin`, from the time since the start; by default the same."""
         return time
 
     def until(self, time: Symbol) -> Symbol:
-        """The time since the start of one since it began from where places are counted; by default it began then."""
+        """Return the time since the start, from a time counted from `begin`; by default the same."""
         return time
 
     @cached_property
@@ -159,11 +159,11 @@ class Oscillating(SingleWay):
 
     @cached_property
     def _time(self) -> Symbol:
-        """Return when the moment comes."""
+        """Return the time of the moment since the start, s."""
         return self.until(self.time_since())
 
     def time_since(self) -> Symbol:
-        """Write when the moment comes, after it began from where places are counted."""
+        """Write the time of the moment counted from `begin`, s, and return its symbol."""
         held, angle, place = self.harmonic, self._angle, self._place
         rate, turns = held.rate, held.turns(self.since_begun)
         _ = self._first_move if turns else None
@@ -175,15 +175,15 @@ class Oscillating(SingleWay):
 
     @cached_property
     def _first_move(self) -> None:
-        """Write which way a motion from rest begins: it matters at which end it turns back."""
+        """Write the initial direction of a motion from rest, which decides the turning points."""
         tell_first_move(self, self.motion)
 
     def time_name(self) -> Symbol:
-        """Return a symbol for that time."""
+        """Return a symbol for the time counted from `begin`."""
         return self.book.fresh("t")
 
     def _reached(self, *, turns: bool) -> str:
-        """Begin a sentence with what happens at the moment."""
+        """Return the beginning of a sentence about the event at the moment."""
         moment = self.query.moment
         if turns:
             return f"{self.standing} when"
@@ -199,7 +199,7 @@ class Oscillating(SingleWay):
 
     @cached_property
     def _place(self) -> Expression:
-        """Return how far the free coordinate has come, in m."""
+        """Write the displacement at the moment counted from `begin`, m, and return it."""
         held, moment = self.harmonic, self.query.moment
         if self._timed:
             formula = held.swinging(self._angle)
@@ -218,7 +218,7 @@ class Oscillating(SingleWay):
         return held.rest
 
     def _relaxed(self, spring: str) -> Expression:
-        """Return where a spring has its natural length."""
+        """Write the displacement at which a spring has its natural length, m, and return it."""
         formula = self.relaxed_place(spring) - self.begin
         if formula == ZERO:
             return ZERO
@@ -228,7 +228,7 @@ class Oscillating(SingleWay):
 
     @cached_property
     def _speed(self) -> Expression:
-        """Return the velocity of the free coordinate, in m/s."""
+        """Write the velocity of the free coordinate at the moment, m/s, and return it."""
         held = self.harmonic
         if not self._timed and held.turns(self.since_begun):
             return ZERO
@@ -253,7 +253,7 @@ class Oscillating(SingleWay):
 
     @cached_property
     def whole_place(self) -> Expression:
-        """Return how far the free coordinate has come since the start, in m."""
+        """Write the displacement from the start at the moment, m, and return it."""
         if self.begin == ZERO:
             return self._place
         said = "The displacement from the start is then"
@@ -262,7 +262,7 @@ class Oscillating(SingleWay):
 
     @property
     def stretches(self) -> Sequence[Stretch]:
-        """The whole motion, with the places where it turns back."""
+        """Return the whole motion with its turning points."""
         held, until = self.harmonic, self.setting.time
         turns = [time for time in held.instants(until) if held.turns(time) and time < until * (1.0 - EARLY)]
         places: list[Expression] = [ZERO]
@@ -280,16 +280,16 @@ class Oscillating(SingleWay):
         return self.book.told("acceleration", said, self.book.fresh("a"), formula, ACCELERATION)
 
     def along(self, kind: str) -> Polynomial:
-        """Place ``s``, speed ``v`` or acceleration ``a`` of the free coordinate."""
+        """Return the displacement ``s``, velocity ``v`` or acceleration ``a`` of the free coordinate."""
         if kind == "a":
             return NIL if self._place == self.harmonic.rest else Polynomial.of(self._acceleration)
         return signed(self.whole_place if kind == "s" else self._speed)
 
 
 class _Pair(PairWay, Oscillating):
-    """Two bodies that a spring joins, of which nothing outside pulls: their relative motion oscillates."""
+    """A motion model of two bodies joined by a spring, whose relative motion oscillates."""
 
     @property
     def stretches(self) -> Sequence[Stretch]:
-        """A body goes on while it swings."""
+        """Raise UnsolvedError, since the paths of the bodies are not paths of the relative motion."""
         raise UnsolvedError("its path is no path of the relative motion")

@@ -1,4 +1,4 @@
-"""Phase by phase: constant accelerations between events, each phase from the state in which the one before it ends."""
+"""Phase by phase: constant accelerations between events, each phase from the final state of the one before."""
 
 from sim2reason.scenes.dsl.mechanism import Mechanism
 from sim2reason.solutions.phases.integrated import IntegratedPhases
@@ -9,29 +9,29 @@ from sim2reason.solutions.writing.steps import Book, UnsolvedError
 
 @strategy
 class PhaseByPhase(Strategy):
-    """Motions that stick, slip or collide, in whatever order, at constant accelerations."""
+    """The strategy for motions that stick, slip or collide in any order, at constant accelerations."""
 
     name = "phase by phase"
     cost = 50.0
     kinds = frozenset({"state", "event", "time_to_event", "extremum"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return the reason why it does not apply: accelerations change between events."""
+        """Return why the strategy cannot apply: accelerations vary between events; empty if it may."""
         return varying_acceleration(mechanism)
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """Return no kind: equations of phases are in numbers."""
+        """Return no kinds, since the equations of phases are in numbers."""
         del mechanism
         return frozenset()
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         if setting.formula is not None or setting.unknown:
             return "equations of phases lead to numbers, and to no unknown"
         return "" if setting.answer is not None else "there is no answer"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Write the phases in order, then the answer; UnsolvedError after other steps, since phases begin a text."""
+        """Write the phases in order and the answer, and return its symbol; UnsolvedError after other steps."""
         if book.steps:
             raise UnsolvedError("phases begin a solution")
         return IntegratedPhases(setting, book, integrates=False).write()

@@ -1,4 +1,4 @@
-"""Springs in a plane: where a body that they hold is in equilibrium, and its small oscillations about that place.
+"""Springs in a plane: the equilibrium of a body held by several springs, and its small oscillations.
 
 A spring of stiffness k and natural length ℓ₀ that is ℓ long resists along itself with k, and across with k (1 − ℓ₀/ℓ),
 its pull over its length. See Goldstein, Poole and Safko, Classical Mechanics, § 6.2.
@@ -31,13 +31,13 @@ from sim2reason.solutions.writing.steps import Book, UnsolvedError, Writing
 from sim2reason.solutions.writing.unit_latex import ANGULAR_SPEED, DEGREES, METRES, STIFFNESS
 
 HALF, TWO = Number(0.5), Number(2.0)
-STEEP = 0.01  # a run of so little of the rise: five digits of it are too few for the tangent
-PLANE = 2  # coordinates
+STEEP = 0.01  # ratio of run to rise below which the tangent would lose too many digits
+PLANE = 2  # number of coordinates in a plane
 
 
 @strategy
 class PlaneSprings(Strategy):
-    """A body on a level table, held by springs that run in several directions."""
+    """The strategy for a body on a level table held by springs in several directions."""
 
     name = "springs in a plane"
     cost = 1.3
@@ -45,16 +45,16 @@ class PlaneSprings(Strategy):
     least_need = Need.ROOT
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return whether something else than springs holds it."""
+        """Return the reason that a mechanism is not a single body held by springs in a plane; empty if it is."""
         return "" if _held_in_a_plane(mechanism) else "no lone body is held by springs in a plane"
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """None: two equations that nobody solves give the place, and all else follows from it."""
+        """Return no kinds, since the equilibrium has no closed form."""
         del mechanism
         return frozenset()
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         query, target = setting.query, setting.target
         if isinstance(query, PeriodQuery):
             return "" if query.small and query.modes == PLANE else "no way to motions that are not small"
@@ -62,7 +62,7 @@ class PlaneSprings(Strategy):
         return "" if known else f"no way to the quantity {target.quantity if target is not None else ''}"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Return the place where all forces balance, then what is asked."""
+        """Write the equilibrium and the answer, and return its symbol."""
         way = _Held(setting, book)
         if isinstance(setting.query, PeriodQuery):
             return way.oscillate(setting.query).name
@@ -85,7 +85,7 @@ def _nail(m: Mechanism, line: Line) -> str:
 
 @dataclass(frozen=True, slots=True)
 class _Spring:
-    """One of them, with its fixed end."""
+    """A spring with its fixed end, in the symbols of the text."""
 
     name: str
     stiffness: Expression
@@ -95,23 +95,23 @@ class _Spring:
 
 
 class _Held(Way):
-    """The body in equilibrium, at the place (X, Y)."""
+    """The body in equilibrium at the position (X, Y)."""
 
     @property
     def newton(self) -> Newton:
-        """For the mass alone."""
+        """Return Newton's laws, for the mass alone."""
         return Newton(self.setting.lexicon, self.setting.motion.segments[0])
 
     def force(self, kind: str, name: str) -> Symbol:
-        """Return None but those of springs."""
+        """Raise UnsolvedError, since only springs exert forces."""
         raise UnsolvedError(f"no {kind} of {name}")
 
     def rate(self, kind: str, k: int) -> Polynomial:
-        """Return how far from its start it is in equilibrium."""
+        """Return the displacement from the start to the equilibrium; zero for other kinds."""
         return Polynomial.of(self.place[k]) - self._places[k][0] if kind == "s" else NIL
 
     def spring(self, what: str, line: str) -> Polynomial:
-        """Lengths are those in equilibrium."""
+        """Return a parameter of a spring; ``strain`` and ``length`` are those in equilibrium."""
         held = next(held for held in self.springs if held.name == line)
         if what == "damping":
             return NIL
@@ -122,7 +122,7 @@ class _Held(Way):
         return length - Polynomial.of(held.natural) if what == "strain" else length
 
     def growth(self, kind: str, line: str) -> Polynomial:
-        """None: it is at rest there."""
+        """Return zero, since the body is at rest in equilibrium."""
         del kind, line
         return NIL
 
@@ -130,7 +130,7 @@ class _Held(Way):
 
     @cached_property
     def _places(self) -> Sequence[Sequence[Polynomial]]:
-        """By axis, where the body begins and where the springs are fixed, in the numbers of the text."""
+        """Return, by axis, the positions of the body and of the fixed ends, in the numbers of the text."""
         m, lexicon = self.mechanism, self.setting.lexicon
         body, nails = m.bodies[0].name, [_nail(m, line) for line in m.lines]
         found: list[list[Polynomial]] = []
@@ -144,7 +144,7 @@ class _Held(Way):
 
     @cached_property
     def springs(self) -> list[_Spring]:
-        """All of them."""
+        """Return all springs."""
         m, lexicon, found = self.mechanism, self.setting.lexicon, list[_Spring]()
         for number, line in enumerate(m.lines):
             twin = lexicon.twin.lines[number]
@@ -159,7 +159,7 @@ class _Held(Way):
 
     @cached_property
     def _there(self) -> tuple[float, float]:
-        """The place of equilibrium, by the engine, in the numbers of the text."""
+        """Return the engine's equilibrium position, m, in the coordinates of the text."""
         rest = equilibrium(self.mechanism)
         if rest is None:
             raise UnsolvedError("there is no equilibrium")
@@ -168,7 +168,7 @@ class _Held(Way):
 
     @cached_property
     def place(self) -> tuple[Symbol, Symbol]:
-        """Return where it is: both balances of forces, solved for X and Y."""
+        """Write both balances of forces and their solution, and return the symbols X and Y."""
         names = self.book.fresh("X"), self.book.fresh("Y")
         step, who = self.book.open("balance"), self.setting.called(self.mechanism.bodies[0].name)
         lengths = {held.length: Root(_square(held, names)) for held in self.springs}
@@ -189,14 +189,14 @@ class _Held(Way):
         return names
 
     def _sum(self, names: tuple[Symbol, Symbol], axis: int) -> Expression:
-        """Of all forces along an axis, the other way."""
+        """Return the total restoring force along an axis."""
         found: Expression = ZERO
         for held in self.springs:
             found = added(found, held.stiffness * (ONE - held.natural / held.length) * (names[axis] - held.end[axis]))
         return found
 
     def _told_length(self, step: Writing, name: Symbol, formula: Expression) -> str:
-        """In numbers, or, where something in it is unknown, as its formula has it."""
+        """Record the length of a spring and return it in LaTeX, as a number or as a formula."""
         if self.book.is_hidden(formula):
             return step.result(name, formula, METRES)
         self.book.know(name.name, self.book.value(formula), self.book.unit_in_text(METRES))
@@ -206,7 +206,7 @@ class _Held(Way):
     # ---- small oscillations
 
     def oscillate(self, query: PeriodQuery) -> Symbol:
-        """Return the two directions in which the force points straight back, and how stiff the wanted one is."""
+        """Write the direction and stiffness of a mode of small oscillations, and return the answer's symbol."""
         turn = self._direction(query.rank)
         step, stiff, whole = self.book.open("stiffness"), self.book.fresh(r"\kappa"), ZERO
         for held in self.springs:
@@ -223,7 +223,7 @@ class _Held(Way):
 
     @cached_property
     def _weights(self) -> Mapping[str, tuple[Symbol, Symbol]]:
-        """By spring, k ℓ₀/ℓ and its angle with the x axis."""
+        """Write k ℓ₀/ℓ and the angle with the x axis of each spring, and return their symbols by name."""
         found: dict[str, tuple[Symbol, Symbol]] = {}
         place = self.place
         for number, held in enumerate(self.springs, start=1):
@@ -238,12 +238,12 @@ class _Held(Way):
         return found
 
     def _slope(self, rise: Expression, run: Expression) -> Expression:
-        """The angle whose tangent is rise over run; of a steep line by the cotangent, which then is what is small."""
+        """Return the angle of a line with the x axis, from the cotangent if the line is steep."""
         steep = abs(self.book.value(run)) < STEEP * abs(self.book.value(rise))
         return PI / TWO - Call("arctan", run / rise) if steep else Call("arctan", rise / run)
 
     def _direction(self, rank: int) -> Expression:
-        """Of a mode, as an angle with the x axis: tan 2α = Σ w sin 2β / Σ w cos 2β."""
+        """Write the angle of a mode with the x axis, tan 2α = Σ w sin 2β / Σ w cos 2β, and return it."""
         sine, cosine = ZERO, ZERO
         for weight, bearing in self._weights.values():
             sine = sine + weight * Call("sin", TWO * bearing)
@@ -261,20 +261,20 @@ class _Held(Way):
 
 
 def _square(held: _Spring, place: tuple[Symbol, Symbol]) -> Expression:
-    """Of the length of a spring to a place."""
+    """Return the square of the length of a spring to a position."""
     (x, y), (far, up) = place, held.end
     return Power(x - far, 2) + Power(y - up, 2)
 
 
 def _without(formula: Expression, lengths: Mapping[Symbol, Expression]) -> Expression:
-    """Return a formula with what lengths are in place of their names."""
+    """Return a formula with the lengths of springs substituted for their symbols."""
     for name, length in lengths.items():
         formula = put(formula, name.name, length)
     return formula
 
 
 def _unshifted(places: list[Polynomial]) -> list[Polynomial]:
-    """Places along an axis without what is taken from all of them, as x₁ is from 0, x₂ − x₁ and x − x₁."""
+    """Return positions along an axis without a common shift: x₁, x₂ and x for 0, x₂ − x₁ and x − x₁."""
     for place in places:
         taken = Polynomial({monomial: -part for monomial, part in place.terms.items() if part == -1.0})
         moved = [held + taken for held in places]

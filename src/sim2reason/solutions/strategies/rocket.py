@@ -1,4 +1,4 @@
-"""Rocket: thrust µu on what is left of the mass; u ln(m₀/m) less what gravity takes (Tsiolkovsky)."""
+"""Rocket: thrust µu on the remaining mass, and the speed u ln(m₀/m) less the effect of gravity (Tsiolkovsky)."""
 
 import numpy as np
 
@@ -27,24 +27,24 @@ HALF = Number(0.5)
 
 @strategy
 class RocketFlight(Strategy):
-    """A lone rocket, its engine on or off: in empty space, in a uniform field, and at the start on a planet."""
+    """The strategy for a single rocket in empty space, in a uniform field, or at the start on a planet."""
 
     name = "rocket"
     cost = 1.0
     kinds = Strategy.kinds | {"extremum"}
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
+        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         moving = [body for body in mechanism.bodies if body.coordinates]
         alone = len(mechanism.burns) == len(moving) == len(mechanism.coordinates) == 1
         return "" if alone else "there is no lone rocket"
 
     def formulas(self, mechanism: Mechanism) -> frozenset[str]:
-        """None above a planet that really pulls, but at the start, of which nothing is asked while fuel burns."""
+        """Return the question kinds with formulas; none above a planet, whose pull varies."""
         return frozenset[str]() if mechanism.attractions else self.kinds
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         m = setting.mechanism
         if isinstance(setting.query, StretchQuery):
             found = m.attractions or not any(m.gravity) or not _tops(setting)
@@ -56,15 +56,15 @@ class RocketFlight(Strategy):
         return ""
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Return the mass that is left, then what is asked."""
+        """Write the remaining mass and the answer, and return its symbol."""
         return _Burning(setting, book).write()
 
 
 class _Burning(Burning):
-    """A rocket whose engine is on, or was, from which goals are answered."""
+    """The quantities of a rocket during and after the burn."""
 
     def write(self) -> str:
-        """Return the time, the height of the highest point, or the goal."""
+        """Write the time, the greatest height or the quantity asked for, and return its symbol."""
         if isinstance(self.query, StretchQuery):
             return self._s.name
         if self.mechanism.attractions and self.uses in ("v", "s") and self.target is not None:
@@ -81,7 +81,7 @@ class _Burning(Burning):
 
     @cached_property
     def time(self) -> Symbol:
-        """Return when the moment comes."""
+        """Write the time of the moment, s, and return its symbol."""
         moment = self.query.moment
         if isinstance(moment, BurnedOut):
             return self.burned
@@ -99,7 +99,7 @@ class _Burning(Burning):
 
     @cached_property
     def _stopping(self) -> Symbol:
-        """Return when gravity has taken all the speed that burning gave."""
+        """Write the time at which gravity has used up the speed gained in the burn, and return its symbol."""
         name, step = self.book.fresh("t"), self.book.open("time")
         g, given = self.gravity.expression(), self.exhaust * Call("ln", ratio(self.full, self.dry))
         risen = self._risen(name)
@@ -133,7 +133,7 @@ class _Burning(Burning):
 
     @cached_property
     def coast(self) -> Expression:
-        """For how long the engine has been off."""
+        """Write the time since burnout, s, and return it."""
         moment, name = self.query.moment, self.book.fresh("t", r"\text{off}")
         g, (fast, high) = self.gravity.expression(), self._at_end
         if isinstance(moment, Stopped) or isinstance(self.query, StretchQuery):
@@ -159,7 +159,7 @@ class _Burning(Burning):
         return self._fallen(name, distance, (fast + root if falls else fast - root) / g, which)
 
     def _fallen(self, name: Symbol, distance: Symbol, formula: Expression, which: str) -> Symbol:
-        """Thrown up with the speed that it has at the end."""
+        """Write the time of free flight to a distance and return its symbol."""
         step = self.book.open("time")
         law = step.law(distance, self._thrown(name))
         step.say(f"With its engine off {self.name} moves under gravity alone and has covered")
@@ -168,14 +168,14 @@ class _Burning(Burning):
         return name
 
     def _thrown(self, time: Expression) -> Expression:
-        """Return how far the rocket is, in m, a time after burnout."""
+        """Return the distance of the rocket from its start, m, at a time after burnout."""
         fast, high = self._at_end
         path = high + fast * time
         return path - HALF * self.gravity.expression() * Power(time, 2) if self.gravity else path
 
     @cached_property
     def left(self) -> Expression:
-        """The mass at the moment."""
+        """Write the mass at the moment, kg, and return it."""
         moment = self.query.moment
         if isinstance(moment, AtStart):
             return self.full
@@ -197,14 +197,14 @@ class _Burning(Burning):
     # ---- the motion
 
     def _path(self, left: Expression, time: Expression) -> Expression:
-        """Return its distance: u t − (u m/µ) ln(m₀/m) − ½ g t²."""
+        """Return the distance covered in the burn: u t − (u m/µ) ln(m₀/m) − ½ g t²."""
         u, log = self.exhaust, Call("ln", ratio(self.full, left))
         path = added(multiplied(u, time), -multiplied(ratio(multiplied(u, left), self.rate_of_burning), log))
         fall = self.gravity.scaled(-0.5).expression()
         return added(path, multiplied(fall, Power(time, 2)) if self.gravity else NIL.expression())
 
     def rate(self, kind: str, k: int) -> Polynomial:
-        """Along its way up."""
+        """Return the acceleration, velocity or displacement of the rocket along its line."""
         del k
         if kind == "a":
             return Polynomial.of(self._a)
@@ -227,7 +227,7 @@ class _Burning(Burning):
 
     @cached_property
     def _at_end(self) -> tuple[Symbol, Symbol]:
-        """The speed and the distance when the fuel is spent."""
+        """Write the speed and the distance at burnout, and return their symbols."""
         mark = r"\text{out}"
         return self._burnt(self.rising, "v", mark), self._gone(self.rising, mark)
 
@@ -283,18 +283,18 @@ class _Burning(Burning):
 
     @property
     def _now(self) -> Expression:
-        """Return the time of rising by the moment asked about, at which the engine is on or burns out."""
+        """Return the time since lift-off of the moment, s, up to burnout."""
         return self.rising if isinstance(self.query.moment, BurnedOut) else self._risen(self.time)
 
     def component(self, kind: str, body: str, way: Vector) -> Polynomial:
-        """Along its way."""
+        """Return the component of a vector of the rocket along a direction."""
         axis = self.mechanism.coordinates[0].axis
         along = sum(a * b for a, b in zip(axis, way, strict=True))
         return self.rate(kind, 0).scaled(round(along)) if abs(along) > 0.5 and body == self.burn.body else NIL
 
 
 def _tops(setting: Setting) -> bool:
-    """Return whether the greatest displacement or height is asked for, and it has come to its highest point by then."""
+    """Return whether the greatest displacement or height is asked for, and the highest point has been passed."""
     query = setting.query
     asked = isinstance(query, StretchQuery) and query.functional in ("greatest displacement", "greatest height")
     return asked and float(setting.motion.state(np.array([setting.time])).v[0, 0]) < 0.0

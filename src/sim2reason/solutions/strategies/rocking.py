@@ -1,4 +1,4 @@
-"""Rocking: a round body whose centre of mass lies beside its axis rolls without slipping; torque about its contact."""
+"""Rocking: a round body with an eccentric centre of mass rolls without slipping; torque about its contact."""
 
 from collections.abc import Callable
 from math import hypot, inf
@@ -35,14 +35,14 @@ QUANTITIES = ("acceleration", "angular acceleration", "net force", "friction for
 
 @strategy
 class Rocking(Strategy):
-    """The forces at the start, and small oscillations about the equilibrium."""
+    """The strategy for the initial forces on a rocking body, and for its small oscillations."""
 
     name = "rocking without slipping"
     cost = 1.1
     kinds = frozenset({"start", "period"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return whether no lone body rocks."""
+        """Return the reason that a mechanism is not a single rocking body; empty if it is."""
         m = mechanism
         other = m.lines or m.forces or m.attractions or m.burns or m.meetings or m.feet
         kinds = sorted(c.kind for c in m.coordinates)
@@ -53,7 +53,7 @@ class Rocking(Strategy):
         return ""
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if isinstance(query, PeriodQuery):
             return "" if query.small else "only integration gives the period of large swings"
@@ -62,15 +62,15 @@ class Rocking(Strategy):
         return "" if query.target.quantity in QUANTITIES else f"no way to the quantity {query.target.quantity}"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Return where the centre of mass is, the moment of inertia about the contact, and what is asked."""
+        """Write the centre of mass, the moment of inertia about the contact and the answer; return its symbol."""
         return _Rocking(setting, book).write().name
 
 
 class _Rocking:
-    """A body that rocks, written as it is needed; x points to the right, z up, and it rolls clockwise to the right."""
+    """The quantities of a rocking body; x points right, z up, and it rolls clockwise to the right."""
 
     def __init__(self, setting: Setting, book: Book) -> None:
-        """UnreadError where a number is no simple function of those in the text."""
+        """Read the parameters; raise UnreadError if one is not a simple function of the numbers in the text."""
         self.setting, self.book = setting, book
         self.body = setting.mechanism.bodies[0].name
         self.mass = self._read(lambda m: m.bodies[0].mass)
@@ -94,7 +94,7 @@ class _Rocking:
 
     @cached_property
     def _spread(self) -> tuple[Expression, Expression]:
-        """Return how far the centre of mass is from the axis, and the moment of inertia about it over the mass."""
+        """Return the distance of the centre of mass from the axis, and its moment of inertia over the mass."""
         held, shape = self.setting.mechanism.bodies[0], self.setting.scene.bodies.get(self.body)
         spread = mass_spread(shape, self._size) if isinstance(shape, Shape) else None
         if spread is None:
@@ -109,20 +109,20 @@ class _Rocking:
 
     @cached_property
     def offset(self) -> Symbol:
-        """Of the centre of mass from the axis."""
+        """Write the distance of the centre of mass from the axis, m, and return its symbol."""
         said = "Because of the hole, the centre of mass lies on the other side of the axis, at the distance"
         return self.book.told("table", said, self.book.fresh("c"), self._spread[0], METRES)
 
     @cached_property
     def own(self) -> Symbol:
-        """The moment of inertia about the centre of mass."""
+        """Write the moment of inertia about the centre of mass and return its symbol."""
         _ = self.offset
         said = "The moment of inertia about the centre of mass, that of the full body less that of the hole, is"
         return self.book.told("table", said, self.book.fresh("I", "0"), self.mass * self._spread[1], INERTIA)
 
     @cached_property
     def about(self) -> Symbol:
-        """The moment of inertia about the line of contact, at the start."""
+        """Write the moment of inertia about the line of contact at the start and return its symbol."""
         (ex, ez), (ux, uz) = self.aside, self.uphill
         across = ez * ux - ex * uz
         square = Power(self.radius, 2) + Power(self.offset, 2) + TWO * self.radius * self.offset * across
@@ -131,7 +131,7 @@ class _Rocking:
 
     @cached_property
     def growth(self) -> Symbol:
-        """The angular acceleration, positive where it begins to roll to the right."""
+        """Write the angular acceleration, positive clockwise, and return its symbol."""
         (ex, ez), (ux, uz) = self.aside, self.uphill
         lever = self.offset * ex - self.radius * uz
         torque = self.mass * self.gravity * lever
@@ -146,7 +146,7 @@ class _Rocking:
 
     @cached_property
     def acceleration(self) -> list[Expression]:
-        """Of the centre of mass, to the right and up: that of the axis, and what turning adds."""
+        """Write the acceleration of the centre of mass and return its components to the right and upward."""
         (ex, ez), (ux, uz) = self.aside, self.uphill
         grown = self.growth
         found: list[Expression] = []
@@ -161,7 +161,7 @@ class _Rocking:
     # ---- what is asked
 
     def write(self) -> Symbol:
-        """By the quantity."""
+        """Write the answer to the query and return its symbol."""
         query = self.setting.query
         if isinstance(query, PeriodQuery):
             return self._period(query)
@@ -202,7 +202,7 @@ class _Rocking:
         return self.book.told("answer", said, self.book.fresh("a"), formula, ACCELERATION)
 
     def _contact(self, quantity: str) -> Symbol:
-        """Friction along the plane or the normal force: what is left of mass times acceleration without the weight."""
+        """Write the friction or normal force from Newton's second law and return its symbol."""
         (x, z), (ux, uz) = self.acceleration, self.uphill
         along = quantity == "friction force"
         part = x * ux + (z + self.gravity) * uz if along else (z + self.gravity) * ux - x * uz
@@ -212,7 +212,7 @@ class _Rocking:
         return self.book.told("newton", said, self.book.fresh("f" if along else "N"), formula, NEWTONS)
 
     def _period(self, query: PeriodQuery) -> Symbol:
-        """About where the centre of mass is above the contact: ω² = m g c cos ψ/I."""
+        """Write the period of small oscillations, with ω² = m g c cos ψ/I, and return its symbol."""
         cosine, uz = self.uphill
         level = uz == ZERO
         tilt: Expression = ZERO
@@ -238,5 +238,5 @@ class _Rocking:
 
 
 def _slide(m: Mechanism) -> tuple[float, float, float]:
-    """Return the direction in which it rolls, uphill or to the right."""
+    """Return the direction of rolling, uphill or to the right."""
     return next(c.axis for c in m.coordinates if c.kind == "slide")

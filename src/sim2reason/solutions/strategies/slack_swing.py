@@ -1,4 +1,4 @@
-"""Slack swing: a bob on a string that goes slack; energy on the circle, then a projectile, then the circle again."""
+"""Slack swing: a bob whose string goes slack: energy on the circle, then a projectile, then the circle again."""
 
 from collections.abc import Mapping
 from typing import ClassVar
@@ -31,26 +31,26 @@ from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import LETTERS, SECONDS, SPEED, of_magnitude
 
 MOMENTS = (AtTime, HighestPoint, Stopped, WentTaut)
-AT_ONCE = 1e-9  # relative, of times
+AT_ONCE = 1e-9  # relative tolerance of equal times
 TWO, HALF = Number(2.0), Number(0.5)
 LOSS = "energy lost in a jerk"
 
 
 @strategy
 class SlackSwing(Strategy):
-    """A small body on a string that goes slack, at a moment after that."""
+    """The strategy for a small body on a string that goes slack, at a later moment."""
 
     name = "circle and projectile"
     cost = 1.05
     kinds = Strategy.kinds | {"extremum", "sum"}
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return whether no small body hangs by a string."""
+        """Return the reason that no small body swings on a string; empty if one does."""
         found = pivot(mechanism)
         return "" if found is not None and found[1] is not None else "no small body swings on a string"
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         quantity, query = quantity_of(setting), setting.query
         if quantity and quantity not in _Slack.WAYS:
             return f"no way to the {quantity}"
@@ -60,29 +60,29 @@ class SlackSwing(Strategy):
         return "" if happened & {"slack", "taut"} else "the string stays taut"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Phase by phase, then what is asked."""
+        """Write each phase and the answer, and return its symbol."""
         return _Slack(setting, book).write().name
 
 
 class _Slack:
-    """What is asked of the chain of phases."""
+    """The quantities of a bob in the last of its phases."""
 
     def __init__(self, setting: Setting, book: Book) -> None:
-        """Nothing is written yet."""
+        """Take a question, without writing anything."""
         self.setting, self.book = setting, book
         self.chain = SlackChain(setting, book)
         self.swing, self.mass = self.chain.swing, self.chain.swing.mass
         self.quantity = quantity_of(setting)
         self.timed = isinstance(setting.query.moment, AtTime) or not self.quantity
-        self.speed: Expression = self.swing.launch  # along the circle, where the last phase begins on it
-        self.since: Expression = ZERO  # when the last phase begins
-        self.begun = 0.0  # s: the same
+        self.speed: Expression = self.swing.launch  # along the circle, at the beginning of the last phase on it
+        self.since: Expression = ZERO  # beginning of the last phase
+        self.begun = 0.0  # s, its value
 
     # ---- the phases
 
     @property
     def _passed(self) -> list[Event]:
-        """The changes before the phase in which the moment is; just after a jerk is in the phase after it."""
+        """Return the changes between slack and taut before the phase of the moment."""
         moment, end = self.setting.query.moment, self.setting.time
         if isinstance(moment, WentTaut) and moment.after and self.quantity not in ("", LOSS):
             return self.chain.changes
@@ -95,7 +95,7 @@ class _Slack:
 
     @cached_property
     def last(self) -> Instant:
-        """Write all phases before the one of the moment; the place and velocity at which that one begins."""
+        """Write all phases before that of the moment; return its initial position and velocity."""
         held, flies = self.chain.start, self.chain.slack_at_once
         self.chain.tell_axes()
         self._phase("the start of the motion", flies=flies)
@@ -109,7 +109,7 @@ class _Slack:
         return held
 
     def _phase(self, begins: str, *, flies: bool) -> None:
-        """Note a phase."""
+        """Begin a phase on the circle or in free flight."""
         acts = FLIES if flies else ON_CIRCLE
         self.book.begin_phase(
             begins, f"{self.chain.who} {acts} until the string becomes {'taut' if flies else 'slack'}"
@@ -130,7 +130,7 @@ class _Slack:
         return found
 
     def _later(self, span: Symbol) -> None:
-        """The next phase begins after a time."""
+        """Write the beginning of the next phase, a time after that of the current one."""
         if self.since == ZERO:
             self.since = span
             return
@@ -140,7 +140,7 @@ class _Slack:
 
     @cached_property
     def there(self) -> Instant:
-        """Write the place and the velocity at the moment."""
+        """Write the position and velocity at the moment and return them."""
         moment, held = self.setting.query.moment, self.last
         if isinstance(moment, WentTaut):
             return self.chain.is_taut_again(held)[1] if self.flies else held
@@ -160,7 +160,7 @@ class _Slack:
         return self.chain.swung(held, self.chain.times(held, self.speed), left)
 
     def _when(self) -> Symbol:
-        """Write the time of the moment."""
+        """Write the time of the moment and return its symbol."""
         held = self.last
         if isinstance(self.setting.query.moment, WentTaut):
             span, _ = self.chain.is_taut_again(held)
@@ -176,7 +176,7 @@ class _Slack:
     # ---- what is asked
 
     def write(self) -> Symbol:
-        """Return what is asked for, by its quantity."""
+        """Write the answer to the query and return its symbol."""
         if not self.quantity:
             return self._when()
         sense = self.setting.query.target.sense if self.setting.query.target is not None else None
@@ -193,7 +193,7 @@ class _Slack:
 
     @cached_property
     def fastest(self) -> Expression:
-        """The square of the speed at the lowest point, which the bob passes before the string goes slack."""
+        """Write the speed at the lowest point, before the string goes slack, and return its square."""
         query = self.setting.query
         if not isinstance(query, StretchQuery) or EXTREMES[query.functional][1] != "fastest":
             raise UnsolvedError("it is not greatest at the lowest point")
@@ -210,26 +210,26 @@ class _Slack:
 
     @property
     def _later_slower(self) -> str:
-        """Say why nothing greater comes after the string has gone slack."""
+        """Return the reason why the speed is never greater after the string has gone slack."""
         kinds = {event.kind for event in self.chain.changes}
         jerk = ", and it loses energy when the string becomes taut again" if "taut" in kinds else ""
         return f"With the string slack, {self.chain.who} is above this point and so slower{jerk}." if kinds else ""
 
     @property
     def extreme(self) -> bool:
-        """Return whether the greatest value is asked for."""
+        """Return whether a greatest value is asked for."""
         return isinstance(self.setting.query, StretchQuery) and self.setting.query.functional in EXTREMES
 
     @cached_property
     def square(self) -> Expression:
-        """The square of the speed."""
+        """Return the square of the speed at the moment."""
         if self.flies and not self.extreme and self.there.vy == ZERO:
             tell_flight(self.book, self.there)
         return self.fastest if self.extreme else self.chain.squared(self.there)
 
     @property
     def height(self) -> Expression:
-        """Above the fixed point, where it is fastest below it."""
+        """Return the height above the fixed point."""
         return -self.chain.length if self.extreme else self.there.y
 
     def _velocity(self) -> Expression:
@@ -261,7 +261,7 @@ class _Slack:
         return self.mass * change(self.book, there, start)
 
     def _on_circle(self) -> None:
-        """UnsolvedError where the string is slack."""
+        """Raise UnsolvedError if the string is slack."""
         if self.flies and not self.extreme:
             raise UnsolvedError("the string is slack")
 

@@ -1,4 +1,4 @@
-"""Spring along a line: a body that one spring pulls from rest oscillates harmonically along that spring."""
+"""Spring along a line: a body released from rest oscillates harmonically along its only spring."""
 
 from collections.abc import Mapping
 from math import acos, sqrt
@@ -33,19 +33,19 @@ MOMENTS = (AtTime, Away, MostCompressed, MostStretched, NaturalLength, Stopped)
 
 @strategy
 class SpringLine(Strategy):
-    """A body on a level table, let go where a single spring without friction is strained."""
+    """The strategy for a body on a level table, released from rest on a single strained spring."""
 
     name = "oscillation along a spring"
     cost = 1.0
     kinds = frozenset({"state", "event", "time_to_event", "extremum", "period"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
+        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         rest = not any(coordinate.speed for coordinate in mechanism.coordinates)
         return "" if rest and lone_spring(mechanism) else "no lone body is let go on a single spring"
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         query = setting.query
         if _reaches_its_end(setting):
             return "it passes through the fixed end of the spring"
@@ -59,12 +59,12 @@ class SpringLine(Strategy):
         return "" if quantity in ("", *_Oscillating.WAYS) else f"no way to the quantity {quantity}"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Return the amplitude and the angular frequency, the phase, and what is asked."""
+        """Write the amplitude, the angular frequency, the phase and the answer, and return its symbol."""
         return _Oscillating(setting, book).write().name
 
 
 def _reaches_its_end(setting: Setting) -> bool:
-    """Return whether the body comes to the fixed point by the moment, where the force turns round."""
+    """Return whether the body reaches the fixed end, where the force reverses, by the moment."""
     m, query = setting.mechanism, setting.query
     law = lone_spring(m)
     assert law is not None
@@ -79,11 +79,11 @@ def _reaches_its_end(setting: Setting) -> bool:
 
 
 class _Oscillating(LoneSpring):
-    """A body on a spring of the extension x₀ cos ωt, and the quantities that are asked of it."""
+    """The quantities of a body on a spring with the extension x₀ cos ωt."""
 
     @cached_property
     def strain(self) -> Symbol:
-        """The extension at the start: the amplitude, up to a sign."""
+        """Write the initial extension, the amplitude up to a sign, and return its symbol."""
         said = "Released from rest, the extension oscillates as a cosine with the initial value"
         return self.book.told("strain", said, self.book.fresh("x", "0"), self.length - self.natural, METRES)
 
@@ -94,14 +94,14 @@ class _Oscillating(LoneSpring):
 
     @cached_property
     def rate(self) -> Symbol:
-        """ω = √(k/m)."""
+        """Write the angular frequency ω = √(k/m) and return its symbol."""
         said = "The force is proportional to the extension, so the angular frequency is"
         formula = Root(self.stiffness / self.mass)
         return self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
 
     @cached_property
     def phase(self) -> Expression:
-        """The angle ωt at the moment."""
+        """Write the phase ωt at the moment and return it."""
         moment = self.setting.query.moment
         if isinstance(moment, AtTime):
             time = self.book.fresh("t")
@@ -122,7 +122,7 @@ class _Oscillating(LoneSpring):
         return TWO * PI if isinstance(moment, MostStretched) == stretched else PI
 
     def _trig(self, function: str) -> Expression:
-        """Return the cosine or the sine of the phase, as a number where it is one."""
+        """Return the cosine or the sine of the phase, as a number at a quarter of the period."""
         plain = {HALF * PI: (ZERO, ONE), PI: (Number(-1.0), ZERO), TWO * PI: (ONE, ZERO)}.get(self.phase)
         if plain is not None:
             return plain[0] if function == "cos" else plain[1]
@@ -131,7 +131,7 @@ class _Oscillating(LoneSpring):
     # ---- what is asked
 
     def write(self) -> Symbol:
-        """Write the answer to the query, and return its symbol."""
+        """Write the answer to the query and return its symbol."""
         query = self.setting.query
         if isinstance(query, PeriodQuery):
             return self._period(query)
@@ -143,7 +143,7 @@ class _Oscillating(LoneSpring):
         return self.answer(self.WAYS[query.target.quantity], self._turned)
 
     def _turned(self, formula: Expression) -> Expression:
-        """Return its component that is asked for, or its size."""
+        """Return the component that is asked for, or the magnitude."""
         target = self.setting.query.target
         sense = target.sense if target is not None else None
         if sense is not None and any(sense.vector):
@@ -151,7 +151,7 @@ class _Oscillating(LoneSpring):
         return formula if self.book.value(formula) >= 0.0 else -formula
 
     def _along(self, way: tuple[float, float, float]) -> Expression:
-        """Return the component of the direction from the fixed end to the body."""
+        """Return a component of the unit vector from the fixed end to the body."""
         for number, coordinate in enumerate(self.setting.mechanism.coordinates):
             part = sum(a * b for a, b in zip(coordinate.axis, way, strict=True))
             if abs(abs(part) - 1.0) < 1e-9:

@@ -1,4 +1,4 @@
-"""Statics: where everything is at rest, all forces balance, those of springs and of friction included.
+"""Statics: balance of all forces on bodies at rest, including those of springs and friction.
 
 See any textbook, such as Kleppner and Kolenkow, An Introduction to Mechanics, chapter 2.
 """
@@ -22,25 +22,25 @@ from sim2reason.solutions.writing.unit_latex import METRES
 
 @strategy
 class Statics(Strategy):
-    """A position of equilibrium on springs along lines; or the start, where nothing moves at all."""
+    """The strategy for an equilibrium on springs along lines, or for a start at which nothing moves."""
 
     name = "statics"
     cost = 0.9
     kinds = frozenset({"equilibrium", "start"})
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
+        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         return nonlinear(mechanism)
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         target = setting.target
         if target is None or target.quantity not in GOALS:
             return f"no way to the quantity {target.quantity if target is not None else ''}"
         return ""
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Return the balance of forces, then the goal."""
+        """Write the balance of forces and the answer, and return its symbol."""
         way = _AtRest(setting, book)
         way.balance()
         assert way.target is not None
@@ -48,10 +48,10 @@ class Statics(Strategy):
 
 
 class _AtRest(LinearWay):
-    """Nothing is accelerated."""
+    """A motion model in which nothing is accelerated."""
 
     def balance(self) -> None:
-        """UnsolvedError where something moves, or would move without end."""
+        """Write that nothing moves; raise UnsolvedError if a body moves or has no restoring force."""
         free = self.motion.free
         if isinstance(self.query.moment, AtStart):
             if free or any(c.speed for c in self.mechanism.coordinates):
@@ -64,7 +64,7 @@ class _AtRest(LinearWay):
 
     @cached_property
     def _places(self) -> Mapping[int, Symbol]:
-        """Return where the free coordinates are in equilibrium."""
+        """Write the equilibrium values of the free coordinates and return their symbols."""
         free, motion = self.motion.free, self.motion
         names = {i: self.book.fresh("x", self._mark(i)) for i in free}
         self.introduce(names)
@@ -90,7 +90,7 @@ class _AtRest(LinearWay):
 
     @property
     def _where(self) -> str:
-        """Return words for the net force: *on each body*, or *along the motion* of strings whose tensions cancel."""
+        """Return the words for the net force: *on each body*, or *along the motion* if tensions cancel."""
         moving = [body for body in self.mechanism.bodies if body.coordinates]
         slides = all(len(b.coordinates) == 1 and b.coordinates[0].kind == "slide" and b.parent is None for b in moving)
         if not slides or len(moving) != len(self.motion.free):
@@ -101,15 +101,15 @@ class _AtRest(LinearWay):
         return self.setting.mark(self.mechanism.coordinates[i].body) if len(self.motion.free) > 1 else ""
 
     def place(self, i: int) -> Polynomial:
-        """Return where it rests."""
+        """Return the equilibrium value of a free coordinate."""
         return Polynomial.of(self._places[i])
 
     def speed(self, i: int) -> Polynomial:
-        """None."""
+        """Return zero, since nothing moves."""
         del i
         return NIL
 
     def acceleration(self, i: int) -> Polynomial:
-        """None."""
+        """Return zero, since nothing moves."""
         del i
         return NIL

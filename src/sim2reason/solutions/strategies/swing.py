@@ -1,4 +1,4 @@
-"""Swing: a small body on a string or a light rod; its energy gives the speed, circular motion the force."""
+"""Swing: a small body on a string or a light rod; speed from energy, force from circular motion."""
 
 from collections.abc import Mapping
 from typing import ClassVar
@@ -19,32 +19,32 @@ from sim2reason.solutions.writing.steps import Book
 
 @strategy
 class Swing(Strategy):
-    """A single small body that swings about a fixed point, at a moment at which the angle is known or follows."""
+    """The strategy for one small body that swings about a fixed point, at a known or computable angle."""
 
     name = "energy and circular motion"
     cost = 1.0
     kinds = Strategy.kinds | {"extremum", "sum"}
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return whether no small body swings."""
+        """Return the reason that no small body swings about a fixed point; empty if one does."""
         return "it is no small body that swings about a fixed point" if pivot(mechanism) is None else ""
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         if unknown := unasked(setting, _Angular.WAYS):
             return unknown
         return "it leaves its circle" if setting.story & {"slack", "taut"} else ""
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Return the angle, the speed, and what is asked."""
+        """Write the angle, the speed and the answer, and return its symbol."""
         return _Angular(setting, book).write().name
 
 
 class _Angular(SwingState):
-    """What is asked of a swing."""
+    """The quantities of a small body that swings."""
 
     def _velocity(self) -> Expression:
-        """Along the arc, or how fast it rises."""
+        """Return the velocity along the arc, or its upward component."""
         if not self.vertical:
             return self.speed
         rises = self.now * self.turning >= 0.0
@@ -61,7 +61,7 @@ class _Angular(SwingState):
         return multiplied(self.mass, self._velocity())
 
     def _pull(self) -> Expression:
-        """T = m g cos φ + m v²/ℓ."""
+        """Return the tension T = m g cos φ + m v²/ℓ."""
         if self.line is not None and self.extreme == "fastest" and not self.book.in_symbols:
             self.book.checks.setdefault(self, self._tell_taut)
         weight = multiplied(multiplied(self.mass, self.gravity), self.cosine)
@@ -69,7 +69,7 @@ class _Angular(SwingState):
         return added(weight, bend)
 
     def _tell_taut(self) -> None:
-        """Write, of the greatest speed, that the string stays taut: below the fixed point, or all the way round."""
+        """Write that the string stays taut at the greatest speed: below the fixed point, or all the way round."""
         book, step, length = self.book, self.book.open("verify"), multiplied(self.gravity, self.length)
         low, high = multiplied(Number(2.0), length), multiplied(Number(5.0), length)
         if book.value(self.squared) < book.value(low):
@@ -84,12 +84,12 @@ class _Angular(SwingState):
 
     @property
     def components(self) -> tuple[Expression, Expression]:
-        """Return v²/ℓ towards the point about which it swings, and g sin φ along the arc."""
+        """Return the centripetal acceleration v²/ℓ and the tangential acceleration g sin φ."""
         return ratio(self.squared, self.length), multiplied(self.gravity, self.sine)
 
     @property
     def ends(self) -> Ends:
-        """Return them with g and v²/2gℓ."""
+        """Return g, the initial angle, and v²/2gℓ, which give the accelerations at both ends of a swing."""
         excess = Power(self.launch, 2) / (2.0 * self.gravity * self.length) if self.launch != ZERO else ZERO
         return self.gravity, self.first, excess
 

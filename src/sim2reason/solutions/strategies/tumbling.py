@@ -1,4 +1,4 @@
-"""Tumbling: a prism that tips over its edges; energy about each edge, angular momentum where the next one lands."""
+"""Tumbling: a prism tips over its edges; energy about each edge, angular momentum as the next one lands."""
 
 from collections.abc import Callable, Mapping
 from math import radians
@@ -35,20 +35,20 @@ HALF, TWO, FOUR, SIX = Number(0.5), Number(2.0), Number(4.0), Number(6.0)
 
 @strategy
 class Tumbling(Strategy):
-    """A regular prism that turns about one edge after the other, none of which slips or rebounds."""
+    """The strategy for a regular prism that turns about one edge after another without slip or rebound."""
 
     name = "tumbling over edges"
     cost = 1.1
     kinds = Strategy.kinds | {"sum"}
 
     def unfit(self, mechanism: Mechanism) -> str:
-        """Return why a mechanism cannot be treated, in a few words; empty if it may be."""
+        """Return why the strategy cannot apply to a mechanism, in a few words; empty if it may."""
         kinds = sorted(c.kind for c in mechanism.coordinates)
         alone = len(mechanism.bodies) == 1 and kinds == ["hinge", "slide", "slide"]
         return "" if alone and mechanism.feet else "no lone prism tumbles"
 
     def refusal(self, setting: Setting) -> str:
-        """Return why it does not apply."""
+        """Return why the strategy does not apply to a question; empty if it does."""
         query, quantity = setting.query, quantity_of(setting)
         if quantity and quantity not in _Tumbling.WAYS:
             return f"no way to the {quantity}"
@@ -57,15 +57,15 @@ class Tumbling(Strategy):
         return ""
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Edge by edge, then what is asked."""
+        """Write the rotation about each edge and the answer, and return its symbol."""
         return _Tumbling(setting, book).write().name
 
 
 class _Tumbling:
-    """A prism that tumbles; angles are those of the line from the edge to the axis, from the upward vertical."""
+    """The quantities of a tumbling prism; angles are those from the upward vertical to the line edge–axis."""
 
     def __init__(self, setting: Setting, book: Book) -> None:
-        """UnreadError where a number is no simple function of those in the text."""
+        """Read the parameters; raise UnreadError if one is not a simple function of the numbers in the text."""
         self.setting, self.book = setting, book
         body, read = setting.mechanism.bodies[0].name, setting.lexicon.of
         radius, sides = setting.given(f"{body}.radius"), getattr(setting.scene.bodies.get(body), "sides", 0)
@@ -84,47 +84,47 @@ class _Tumbling:
         if self.slope == ZERO and sine != ZERO:
             raise UnreadError("its slope is not known")
         self.highest = isinstance(setting.query.moment, HighestPoint)
-        self.edges = 0  # that have landed by the phase that is written
-        self.rate: Expression = self.launch  # at the beginning of that phase
-        self.since: Expression = ZERO  # the time of that
-        self.begun = 0.0  # s: the same
+        self.edges = 0  # number of landings before the current phase
+        self.rate: Expression = self.launch  # angular velocity at the beginning of that phase
+        self.since: Expression = ZERO  # beginning of that phase
+        self.begun = 0.0  # s, its value
 
     # ---- moments of inertia, energy
 
     @cached_property
     def own(self) -> Symbol:
-        """The moment of inertia about the axis."""
+        """Write the moment of inertia about the axis and return its symbol."""
         formula = self.mass * Power(self.radius, 2) * (TWO + Call("cos", self.turn)) / SIX
         said = prism_words.shape_words(self.who, round(self.sides), self.turn)
         return self.book.told("table", said, self.book.fresh("I", "0"), formula, INERTIA)
 
     @cached_property
     def about(self) -> Symbol:
-        """The moment of inertia about an edge."""
+        """Write the moment of inertia about an edge and return its symbol."""
         said = "By the parallel-axis theorem, the moment of inertia about an edge is"
         formula = self.own + self.mass * Power(self.radius, 2)
         return self.book.told("inertia", said, self.book.fresh("I"), formula, INERTIA)
 
     @property
     def weight(self) -> Expression:
-        """The torque of gravity about an edge at a right angle."""
+        """Return the greatest torque of gravity about an edge, at a horizontal lever arm."""
         return self.mass * self.gravity * self.radius
 
     @property
     def begins(self) -> Expression:
-        """The angle at which each edge is landed on, uphill being negative."""
+        """Return the angle just after a landing, negative uphill."""
         return self.slope - self.half if self.slope != ZERO else -self.half
 
     # ---- the phases
 
     @cached_property
     def landings(self) -> list[Event]:
-        """The landings before the moment."""
+        """Return the landings before the moment."""
         return [e for e in happened(self.setting.motion.events, self.setting.time) if e.kind == "land"]
 
     @cached_property
     def natural(self) -> Symbol:
-        """√(m g R/I)."""
+        """Write the angular frequency √(m g R/I) and return its symbol."""
         said = "About an edge it moves like a pendulum whose small oscillations have the angular frequency"
         name, formula = self.book.fresh(r"\omega", "n"), Root(self.weight / self.about)
         return self.book.told("natural", said, name, formula, ANGULAR_SPEED)
@@ -133,7 +133,7 @@ class _Tumbling:
         return SwingTime(self.book, self.natural, PI + self.begins, self.rate, 1.0)
 
     def _through(self) -> None:
-        """Write all phases before the one of the moment."""
+        """Write all phases before that of the moment."""
         timed = isinstance(self.setting.query.moment, AtTime)
         self.book.begin_phase("the start of the motion", f"the next edge of {self.who} lands")
         rates = list[Expression]()
@@ -174,7 +174,7 @@ class _Tumbling:
 
     @cached_property
     def turned(self) -> Expression:
-        """The angle through which it has turned about the last edge at the moment."""
+        """Write the angle turned about the last edge at the moment and return it."""
         moment = self.setting.query.moment
         self._through()
         if isinstance(moment, AtStart):
@@ -194,7 +194,7 @@ class _Tumbling:
 
     @property
     def angle(self) -> Expression:
-        """The angle at the moment, downhill being positive."""
+        """Return the angle at the moment, positive downhill."""
         turned = self.turned
         if self.highest:
             return ZERO
@@ -202,7 +202,7 @@ class _Tumbling:
 
     @cached_property
     def _swung(self) -> Expression:
-        """The angle from the downward vertical at a time."""
+        """Write the angle from the downward vertical at a stated time and return it."""
         moment = self.setting.query.moment
         assert isinstance(moment, AtTime)
         name = self.book.fresh("t")
@@ -215,7 +215,7 @@ class _Tumbling:
 
     @cached_property
     def spin(self) -> Expression:
-        """The angular velocity at the moment."""
+        """Write the angular velocity at the moment and return it."""
         angle = self.angle
         if isinstance(self.setting.query.moment, AtStart):
             return self.launch
@@ -231,7 +231,7 @@ class _Tumbling:
 
     @cached_property
     def growth(self) -> Expression:
-        """The angular acceleration at the moment."""
+        """Write the angular acceleration at the moment and return it."""
         if self.angle == ZERO:
             return ZERO
         prism_words.tell(self.book, prism_words.angle_words(self.half, self.angle))
@@ -240,7 +240,7 @@ class _Tumbling:
         return self.book.told("torque", said, self.book.fresh(r"\alpha"), formula, ANGULAR_ACCELERATION)
 
     def write(self) -> Symbol:
-        """Write the quantity that is asked for, and return its symbol."""
+        """Write the answer to the query and return its symbol."""
         query, quantity = self.setting.query, quantity_of(self.setting)
         if query.target is not None and query.target.sense is not None and any(query.target.sense.vector):
             raise UnsolvedError("a component along a direction")

@@ -1,4 +1,4 @@
-"""Solutions of questions for one of two: both values, then their difference or ratio."""
+"""Questions which of two is first or greater: both values, then their difference or ratio."""
 
 from dataclasses import replace
 
@@ -17,7 +17,7 @@ from sim2reason.solutions.writing.steps import Book, UnsolvedError
 
 @strategy
 class WhichOfTwo(Strategy):
-    """Solves both queries in one text, then states which one is first or greater, and the number."""
+    """The strategy that solves both queries in one text and states which one is first or greater."""
 
     name = "which of two"
     cost = 1.0
@@ -38,7 +38,7 @@ class WhichOfTwo(Strategy):
         return "" if found is not None and found > 0.0 else "the first of the two is not the one"
 
     def write(self, setting: Setting, book: Book) -> str:
-        """Write the answers for both in the order that takes fewer words, then which it is, and the number."""
+        """Write both answers in the shorter order and the comparison, and return the answer's symbol."""
         query = setting.query
         assert isinstance(query, WhichQuery)
         settings = [_inner(each, setting) for each in sorted(query.both, key=lambda each: (each.subject, repr(each)))]
@@ -69,7 +69,7 @@ def _solved(inner: Setting) -> Solution:
 
 
 def _concluded(query: WhichQuery, setting: Setting, book: Book, one: Symbol, other: Symbol) -> str:
-    """Write which of the two it is, and the number; its symbol."""
+    """Write which of the two is first or greater, and return the symbol of the difference or ratio."""
     kind = KINDS[query.kind]
     assert isinstance(kind, WhichKind)
     greater, less = (other, one) if kind.is_least else (one, other)

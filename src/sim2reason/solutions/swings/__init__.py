@@ -1,1 +1,1 @@
-"""What turns or swings about an axle, itself fixed or on a carriage: its inertia, angles, speeds and times."""
+"""Bodies that rotate or swing about an axle, fixed or on a carriage: inertia, angles, speeds and times."""

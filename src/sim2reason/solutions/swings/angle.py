@@ -1,4 +1,4 @@
-"""At which angle something that swings about a fixed axle is, at the moment that is asked about."""
+"""The angle of a swing about an axle at the moment of the question."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
@@ -32,7 +32,7 @@ from sim2reason.solutions.swings.times import SwingTime
 from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import DEGREES, LETTERS, SECONDS, of_magnitude
 
-SLOW, STRAIGHT = 1e-5, 1e-6  # of its greatest speed: none; rad
+SLOW, STRAIGHT = 1e-5, 1e-6  # tolerance relative to the greatest speed; tolerance in rad
 TWO = Number(2.0)
 UP = (0.0, 0.0, 1.0)
 SMALL = "The angular frequency of small oscillations is"
@@ -42,11 +42,11 @@ Way = tuple[str, str]  # the method that gives a formula, and what is said befor
 
 
 class SwingAngle(ABC):
-    """The angle from the downward vertical, positive on the side on which it begins, written as it is needed.
+    """A swing's angle from the downward vertical, positive on its initial side, written as needed.
 
-    Who makes one sets `first`, the angle at the start, `began`, its value, `now` and `turning`, the angle at the moment
-    and its rate, `turned`, by how much it has turned, and `way`, the sign of the rate at first, all for signs alone.
-    `WAYS` has the way to each quantity.
+    Subclasses set `first`, the angle at the start, `began`, its value, `now` and `turning`, the angle at the moment
+    and its rate, `turned`, the angle turned through, and `way`, the initial sign of the rate. Values only determine
+    signs. `WAYS` maps each quantity to its formula and words.
     """
 
     first: Expression
@@ -56,17 +56,17 @@ class SwingAngle(ABC):
     turning: float
     way: float
     WAYS: ClassVar[Mapping[str, Way]]
-    senses: ClassVar[tuple[Vector, ...]] = (UP,)  # along which components are found
-    one_point = True  # what swings is a single small body
-    falls = True  # its centre of mass is on the side to which the angle is counted
+    senses: ClassVar[tuple[Vector, ...]] = (UP,)  # directions of available components
+    one_point = True  # a single small body swings
+    falls = True  # the centre of mass is on the side from which the angle is measured
 
     def __init__(self, setting: Setting, book: Book) -> None:
-        """Nothing is written yet."""
+        """Take a question, without writing anything."""
         self.setting, self.book = setting, book
 
     @cached_property
     def extreme(self) -> str:
-        """Return where a quantity is extreme, if that is asked: fastest or slowest; else empty."""
+        """Return where the greatest or least value occurs, *fastest* or *slowest*; empty for other questions."""
         query = self.setting.query
         if not isinstance(query, StretchQuery) or query.functional not in EXTREMES:
             return ""
@@ -76,7 +76,7 @@ class SwingAngle(ABC):
 
     @property
     def still(self) -> bool:
-        """Return whether it is at rest then, be it for an instant."""
+        """Return whether the body is at rest at the moment, if only for an instant."""
         moment = self.setting.query.moment
         if self.extreme:
             return self.extreme == "slowest" and not self.goes_round
@@ -85,28 +85,28 @@ class SwingAngle(ABC):
     @property
     @abstractmethod
     def goes_round(self) -> bool:
-        """Return whether it has the energy for whole turns."""
+        """Return whether the energy suffices to pass the highest point."""
 
     # ---- times
 
     @cached_property
     @abstractmethod
     def natural(self) -> Symbol:
-        """The angular frequency of small swings."""
+        """Return the angular frequency of small oscillations, rad/s."""
 
     @cached_property
     @abstractmethod
     def spin(self) -> Expression:
-        """The angular speed at the start."""
+        """Return the angular speed at the start, rad/s."""
 
     @cached_property
     def times(self) -> SwingTime:
-        """Return the times of the swing of the line to its centre of mass."""
+        """Return the relation between time and the angle of the centre of mass."""
         first, way = (self.first, self.way) if self.falls else (added(PI, -self.first), -self.way)
         return SwingTime(self.book, self.natural, first, self.spin, way)
 
     def _when(self) -> Symbol:
-        """Write the time of the moment."""
+        """Write the time of the moment and return its symbol."""
         time = self.setting.time
         if isinstance(self.setting.query.moment, Deflected):
             return self.times.reaches(self._stated, time)
@@ -122,7 +122,7 @@ class SwingAngle(ABC):
 
     @cached_property
     def angle(self) -> Expression:
-        """The angle at the moment."""
+        """Write the angle at the moment, if necessary, and return it."""
         moment = self.setting.query.moment
         if self.extreme:
             return self._at_extreme()
@@ -140,7 +140,7 @@ class SwingAngle(ABC):
         return self._turned() if self.still else self._upright()
 
     def _upright(self) -> Expression:
-        """Straight down or straight up."""
+        """Return the angle at the lowest or highest point."""
         if abs(self.now) < STRAIGHT:
             return ZERO
         if abs(abs(self.now) - pi) > STRAIGHT:
@@ -156,7 +156,7 @@ class SwingAngle(ABC):
 
     @cached_property
     def _stated(self) -> Symbol:
-        """The angle that the moment says: of the line to the centre of mass, or by how much it has turned."""
+        """Return the symbol of the angle that the question states: a deflection or an angle turned."""
         moment, name = self.setting.query.moment, self.book.fresh(r"\phi")
         assert isinstance(moment, Deflected | TurnedThrough)
         self.book.say_given(name.name, float(np.radians(moment.value)), DEGREES)
@@ -164,28 +164,28 @@ class SwingAngle(ABC):
 
     @abstractmethod
     def _turned(self) -> Expression:
-        """Write where it turns back."""
+        """Write the angle of the turning point and return it with its sign."""
 
     @cached_property
     def reach(self) -> Expression:
-        """Return the angle from the vertical, without a sign, at which it turns back."""
+        """Return the magnitude of the angle at the turning point."""
         found = self.first if self.spin == ZERO else self._turned()
         return -found if found.latex().startswith("-") else found
 
     def _slack(self) -> Expression:
-        """Write where a string goes slack."""
+        """Write the angle at which the string goes slack; UnsolvedError without a string."""
         raise UnsolvedError("it hangs on no string")
 
     # ---- sines and cosines
 
     @property
     def cosine_first(self) -> Expression:
-        """The cosine of the angle at the start."""
+        """Return the cosine of the angle at the start."""
         return Call("cos", self.first) if self.first != ZERO else ONE
 
     @property
     def cosine(self) -> Expression:
-        """The cosine of the angle at the moment."""
+        """Return the cosine of the angle at the moment."""
         if self.angle == ZERO:
             return ONE
         if isinstance(self.angle, Number):
@@ -194,7 +194,7 @@ class SwingAngle(ABC):
 
     @property
     def sine(self) -> Expression:
-        """The sine of the angle, of its size."""
+        """Return the magnitude of the sine of the angle at the moment."""
         if isinstance(self.angle, Number):
             return ZERO
         negative = self.angle.negative
@@ -203,11 +203,11 @@ class SwingAngle(ABC):
 
     @property
     def between(self) -> Expression:
-        """The angle from the start, of its size."""
+        """Return the magnitude of the angle turned since the start."""
         found = added(self.angle, -self.first)
         return found if self.book.value(found) >= 0.0 else -found
 
-    _law_of_cosines = ""  # begins a sentence with the change in momentum, where the velocity changes its direction
+    _law_of_cosines = ""  # beginning of a sentence about the change in momentum, if the velocity changes direction
 
     def change(self, begun: Expression, speed: Expression) -> Expression:
         """Return the magnitude of the change of velocity between two speeds along the arc, in m/s."""
@@ -226,7 +226,7 @@ class SwingAngle(ABC):
     # ---- what is asked
 
     def write(self) -> Symbol:
-        """Write the quantity that is asked for, and return its symbol."""
+        """Write the answer to the query and return its symbol."""
         quantity, target = quantity_of(self.setting), self.setting.query.target
         if not quantity:
             return self._when()
@@ -250,7 +250,7 @@ class SwingAngle(ABC):
         return None
 
     def said(self, quantity: str) -> str:
-        """Return the words before the formula of a quantity; of an acceleration, they name its components."""
+        """Return the words before the formula of a quantity; those of an acceleration name its components."""
         if quantity in BOTH and not self.vertical and (held := self.components) is not None:
             return of_components(quantity, *held, begins=not self.still)
         if quantity == "impulse of the net force" and self._law_of_cosines:
@@ -259,7 +259,7 @@ class SwingAngle(ABC):
         return PASSED if passed else self.WAYS[quantity][1]
 
     def _tell_where(self, quantity: str) -> None:
-        """Say where the quantity is extreme, unless the question is about that place itself."""
+        """Write where the quantity is extreme, unless the question is about that position itself."""
         query = self.setting.query
         if not self.extreme or not isinstance(query, StretchQuery) or quantity in PLACES:
             return
@@ -272,7 +272,7 @@ class SwingAngle(ABC):
         step.close()
 
     def _compare_ends(self, quantity: str, found: Symbol) -> None:
-        """Write, once it is known, how great an acceleration is at the other end of a swing that turns back."""
+        """Write, once it is known, the acceleration at the other end of a swing that turns back."""
         book, swings = self.book, bool(self.extreme) and not self.goes_round
         if quantity != "acceleration" or not swings or book.in_symbols or (ends := self.ends) is None:
             return
@@ -283,7 +283,7 @@ class SwingAngle(ABC):
 
     @property
     def ends(self) -> Ends | None:
-        """Return what the accelerations at both ends of a swing follow from; None if it moves on no circle."""
+        """Return the terms of the accelerations at both ends of a swing; None if it moves on no circle."""
         return None
 
     @property

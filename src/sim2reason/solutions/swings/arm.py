@@ -1,4 +1,4 @@
-"""A rigid body on a horizontal axle, made of pieces: where each is, and its moment of inertia, and those of all."""
+"""A rigid body on a horizontal axle, made of pieces: their positions and moments of inertia."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -23,9 +23,9 @@ from sim2reason.solutions.writing.lexicon import UnreadError
 from sim2reason.solutions.writing.steps import Book
 from sim2reason.solutions.writing.unit_latex import INERTIA, METRES, latex
 
-SAME = 1e-9  # relative
+SAME = 1e-9  # relative tolerance of moments of inertia, and tolerance of lengths in m
 MOMENT = latex("kg m")
-POINTS = {  # which the text says where they are
+POINTS = {  # reference points of bodies in the text
     "Hemisphere": "the centre of its flat face",
     "SphericalCap": "the centre of its flat face",
     "Bowl": "the centre of its opening",
@@ -33,7 +33,7 @@ POINTS = {  # which the text says where they are
 
 
 def lone_axle(m: Mechanism) -> str:
-    """The body that turns about a fixed horizontal axle and carries all others, which are fixed to it; else empty."""
+    """Return the only body on a fixed horizontal axle, which may carry others fixed to it; else empty."""
     if len(m.coordinates) != 1 or m.coordinates[0].kind != "hinge" or abs(m.coordinates[0].axis[2]) > SAME:
         return ""
     other = m.lines or m.faces or m.forces or m.attractions or m.burns or m.meetings or m.feet
@@ -44,7 +44,7 @@ def lone_axle(m: Mechanism) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Piece:
-    """One body on the axle: its mass, and how far its centre of mass is from the axle, negative beyond it."""
+    """A body on the axle: its mass, and the position of its centre of mass along the arm."""
 
     body: str
     mass: Expression
@@ -52,11 +52,11 @@ class Piece:
     inertia: Expression  # about its own centre of mass
 
 
-FLAT = ("Disc", "Hoop")  # bodies that are thin, so that a line across their axis is a diameter
+FLAT = ("Disc", "Hoop")  # thin bodies, in which a line across the axis is a diameter
 
 
 class Arm:
-    """The pieces, in the symbols of the text, written as they are needed."""
+    """The pieces of a rigid body on an axle, in the symbols of the text, written as needed."""
 
     def __init__(self, setting: Setting, book: Book, carrier: str = "") -> None:
         """Take the arm of a carrier, by default that on the only axle; UnreadError for an unknown number."""
@@ -72,7 +72,7 @@ class Arm:
     # ---- where the arm points
 
     def way(self, m: Mechanism) -> Vector:
-        """Along the arm at the start, to the side of the first piece."""
+        """Return the unit vector along the arm at the start, towards the first piece."""
         frames = start(m)
         first = self.bodies[0]
         apart = minus(frames[first].origin, frames[self.carrier].origin)
@@ -87,9 +87,9 @@ class Arm:
         return float(angles[0]), float(turned[0]), float(rates[0])
 
     def seen(self, times: Array) -> tuple[Array, Array, Array]:
-        """Return angles from the downward vertical, angles from the start, and rates, each (n,), for signs alone.
+        """Return the engine's angles from the downward vertical and from the start, and rates, each (n,).
 
-        They are positive on the side on which it begins.
+        They are positive on the initial side and only determine signs.
         """
         m = self.setting.mechanism
         state, number = self.setting.study.trace.sample(times), m.number[m.body[self.carrier].coordinates[0].name]
@@ -110,30 +110,30 @@ class Arm:
 
     @cached_property
     def first(self) -> Expression:
-        """The angle that it makes with the downward vertical at the start."""
+        """Return the angle of the arm with the downward vertical at the start."""
         return self._read(self._deflection)
 
     @cached_property
     def launch(self) -> Expression:
-        """The angular speed at the start."""
+        """Return the angular speed at the start, rad/s."""
         return self._read(lambda m: abs(m.body[self.carrier].coordinates[0].speed))
 
     @cached_property
     def gravity(self) -> Expression:
-        """The acceleration of free fall."""
+        """Return the acceleration of free fall, m/s²."""
         return self._read(lambda m: -m.gravity[2])
 
     # ---- one piece
 
     def piece(self, body: str) -> Piece:
-        """Return mass, place and inertia of a piece of the arm."""
+        """Return mass, position and moment of inertia of a piece of the arm."""
         if body not in self._pieces:
             mass = self._read(lambda m: m.body[body].mass)
             self._pieces[body] = Piece(body, mass, self._place(body), self._own(body, mass))
         return self._pieces[body]
 
     def _size(self, body: str) -> Callable[[str], Expression]:
-        """Return the symbols of the parameters of a body."""
+        """Return a function from the parameters of a body to their symbols."""
 
         def size(field: str) -> Expression:
             given = self.setting.given(f"{body}.{field}")
@@ -148,7 +148,7 @@ class Arm:
         return found if isinstance(found, Shape) else None
 
     def _place(self, body: str) -> Expression:
-        """Along the arm, from the axle to its centre of mass."""
+        """Return the position of a body's centre of mass along the arm, from the axle."""
 
         def origin(m: Mechanism) -> float:
             frames = start(m)
@@ -180,7 +180,7 @@ class Arm:
         return whole
 
     def _place_words(self, body: str, place: Expression, *parts: Expression) -> str:
-        """Return the words before the place of a centre of mass on an arm, a distance only if it is surely positive."""
+        """Return the words before the position of a centre of mass on an arm."""
         plain = not any(part.negative for part in parts)
         if plain or (self.book.value(place) > 0.0 and not self.book.is_hidden(place)):
             return "Its distance from the axle is"
@@ -188,7 +188,7 @@ class Arm:
         return f"Along the arm, from the axle and positive on the side of {first}, the centre of mass of {whose} is at"
 
     def _own(self, body: str, mass: Expression) -> Expression:
-        """Return the moment of inertia about a line through its centre of mass along the axle."""
+        """Write the moment of inertia of a body about its own centre of mass, parallel to the axle; return it."""
         held = self.setting.mechanism.body[body]
         actual = float(product(self.axis, applied(held.inertia, self.axis)))
         if actual <= 0.0:
@@ -206,7 +206,7 @@ class Arm:
         raise UnreadError(f"the moment of inertia of {self.setting.called(body)} is in no table")
 
     def _inertias(self, spread: MassSpread | None) -> Iterator[tuple[Expression, str]]:
-        """Yield moments of inertia over the mass about lines along its axes and between, each with its reason."""
+        """Yield moments of inertia over the mass about a body's axes and tilted lines, each with its reason."""
         if spread is None:
             return
         yield from zip(candidates(spread), (spread.why, spread.why_own, spread.why), strict=True)
@@ -218,7 +218,7 @@ class Arm:
 
     @cached_property
     def inertia(self) -> Symbol:
-        """The moment of inertia about the axle: Steiner's theorem, piece by piece."""
+        """Write the moment of inertia about the axle by the parallel-axis theorem and return its symbol."""
         total: Expression = ZERO
         for body in self.bodies:
             piece = self.piece(body)
@@ -233,7 +233,7 @@ class Arm:
 
     @cached_property
     def moment(self) -> Expression:
-        """Σ m r: the torque of gravity is g sin φ times this."""
+        """Write Σ m r, kg m, and return it; the torque of gravity is g sin φ times it."""
         parts = [self.piece(body) for body in self.bodies]
         total: Expression = ZERO
         for piece in parts:
@@ -258,7 +258,7 @@ class Arm:
         return name
 
     def _tell_side(self, moment: Symbol, sign: str) -> None:
-        """Write that the centre of mass is on the side that was assumed, once all numbers are known."""
+        """Write that the centre of mass is on the assumed side, once all numbers are known."""
         step = self.book.open("verify")
         exceeds(self.book, step, *((moment, ZERO) if sign == "> 0" else (ZERO, moment)))
         value = with_unit(self.book.value(moment), MOMENT)
@@ -266,7 +266,7 @@ class Arm:
         step.close()
 
     def noun(self) -> str:
-        """Return the noun phrase of what turns, with a capital."""
+        """Return the capitalised noun phrase of the rotating body."""
         lone = self.bodies[0] if len(self.bodies) == 1 else self.carrier
         return capital(self.setting.called(lone if lone in self.setting.words.mentions else self.bodies[0]))
 

@@ -1,4 +1,4 @@
-"""Quantities and moments that questions about swings ask for, and where they are extreme."""
+"""Quantities and moments in questions about swings, and the positions of extreme values."""
 
 from collections.abc import Collection
 
@@ -16,7 +16,7 @@ from sim2reason.solutions.writing.steps import Book
 from sim2reason.solutions.writing.unit_latex import ACCELERATION
 
 MOMENTS = (AtStart, AtTime, Deflected, HighestPoint, LowestPoint, Stopped, TurnedThrough, WentSlack)
-EXTREMES = {  # of what is asked over a stretch: the quantity, and whether it is extreme at rest or where it is fastest
+EXTREMES = {  # by functional: the quantity, and whether it is extreme where the motion is fastest or slowest
     "greatest speed": ("velocity", "fastest"),
     "greatest angular speed": ("angular velocity", "fastest"),
     "greatest kinetic energy": ("kinetic energy", "fastest"),
@@ -30,11 +30,11 @@ EXTREMES = {  # of what is asked over a stretch: the quantity, and whether it is
     "greatest height": ("height", "slowest"),
     "greatest displacement": ("displacement", "slowest"),
 }
-PLACES = frozenset({"deflection", "height", "displacement"})  # what says by itself where it is greatest
+PLACES = frozenset({"deflection", "height", "displacement"})  # quantities whose greatest value needs no reason
 
 
 def quantity_of(setting: Setting) -> str:
-    """Return the name of the quantity asked about; of an extreme value, that of which it is one."""
+    """Return the quantity that is asked for, or whose extreme value is."""
     query = setting.query
     if isinstance(query, StretchQuery):
         return EXTREMES[query.functional][0] if query.functional in EXTREMES else query.functional
@@ -59,9 +59,9 @@ def straight(setting: Setting, *, below: bool) -> str:
 
 
 def by_energy(setting: Setting, noun: str, name: Symbol, *, extreme: bool, where: str = "") -> str:
-    """Return the beginning of a sentence that gives how fast something is at the moment, by conservation of energy.
+    """Return the beginning of a sentence that gives a speed at the moment by conservation of energy.
 
-    With `extreme` it is said before where that is; `where` something else than a single small body is at the moment.
+    With `extreme`, an earlier sentence gives the position; `where` is the position of a body that is not a point mass.
     """
     if extreme and quantity_of(setting) not in PLACES:
         return f"There the {noun} ${name.latex()}$ is given by"
@@ -72,7 +72,7 @@ def by_energy(setting: Setting, noun: str, name: Symbol, *, extreme: bool, where
 
 
 def unasked(setting: Setting, quantities: Collection[str]) -> str:
-    """Return the part of a query that no formula leads to, in words; empty if there is none."""
+    """Return the part of a query for which there is no formula, in words; empty if there is none."""
     query = setting.query
     if isinstance(query, StretchQuery):
         if quantity_of(setting) not in quantities:
@@ -96,7 +96,7 @@ VERTICAL = "With the centre of mass straight below or above the axis of rotation
 def of_components(quantity: str, inward: Expression, along: Expression, *, begins: bool) -> str:
     """Return the words before an acceleration or a net force; empty for another quantity.
 
-    `inward` is the centripetal and `along` the tangential acceleration; `begins` says that the motion begins now.
+    `inward` is the centripetal and `along` the tangential acceleration; `begins` is true at the start of the motion.
     """
     if quantity not in BOTH or ZERO not in (inward, along) or inward == along:
         return BOTH.get(quantity, "")
@@ -109,8 +109,8 @@ def of_components(quantity: str, inward: Expression, along: Expression, *, begin
 
 
 Ends = tuple[Expression, Expression, Expression]
-"""The tangential acceleration at 90°, the angle at the start from the lowest place, and v²/2gℓ or what is like it."""
-FORCES = {"tension": "string", "rod force": "rod"}  # along what each acts
+"""The tangential acceleration at 90°, the initial angle from the lowest position, and v²/2gℓ or its analogue."""
+FORCES = {"tension": "string", "rod force": "rod"}  # the connection along which each force acts
 QUADRATIC = (
     "By conservation of energy the centripetal acceleration is linear in $\\cos\\varphi$, where $\\varphi$ is the "
     "angle from the lowest position, and the tangential one is proportional to $\\sin\\varphi$. The square of the "
@@ -131,10 +131,10 @@ AXLE_LOOPS = "in the highest position the angular velocity is less and the weigh
 def where_extreme(
     quantity: str, noun: str, superlative: str, where: str, *, loops: bool = False, free: bool = False
 ) -> str:
-    """Return the sentence that a quantity has its greatest or least value somewhere, with the reason.
+    """Return the sentence that gives the position of an extreme value, with the reason.
 
-    A body that `loops` never turns back. For one that does, a comparison shows later at which end its acceleration is
-    greatest; in symbols both ends are possible, so that `free` has it assumed.
+    A body that `loops` never turns back. Otherwise a later comparison shows at which end the acceleration is greatest;
+    in symbols, both ends are possible, and with `free` one is assumed.
     """
     if quantity in FORCES:
         along = f"the component of the weight along the {FORCES[quantity]}, away from the fixed point,"
@@ -151,7 +151,7 @@ def where_extreme(
 
 
 def tell_other_end(book: Book, found: Expression, ends: Ends) -> None:
-    """Write the acceleration at the other end of a swing, which is less than the one that was found."""
+    """Write the acceleration at the other end of a swing, which is smaller than the greatest one."""
     pull, first, excess = ends
     cosine = Call("cos", first) if first != ZERO else ONE
     sine = Call("sin", first) if excess == ZERO else Root(ONE - Power(cosine - excess, 2))

@@ -1,4 +1,4 @@
-"""A carriage that slides along a level rail, with an arm that swings on it and strings along the rail that pull it."""
+"""A carriage on a level rail, with an arm that swings on it and strings that pull it along the rail."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ from sim2reason.solutions.writing.steps import Book
 
 @dataclass(frozen=True, slots=True)
 class Pull:
-    """A string that pulls the carriage along its axis, or against it: a hand's, or with a body hanging from it."""
+    """A string that pulls the carriage along or against its axis, held by a hand or by a hanging body."""
 
     line: str
     side: float  # 1.0 along the axis, -1.0 against it
@@ -26,7 +26,7 @@ class Pull:
 
 @dataclass(frozen=True, slots=True)
 class Riding:
-    """Which body is the carriage, what turns on it, and what pulls it."""
+    """The carriage, the arm that swings on it, and the strings that pull it."""
 
     carriage: str
     arm: str
@@ -34,7 +34,7 @@ class Riding:
 
 
 def riding(m: Mechanism) -> Riding | None:
-    """Whatever swings on a carriage that moves freely, all of it from rest; None if a mechanism is something else."""
+    """Return the carriage, arm and strings of a mechanism that starts from rest; None for other mechanisms."""
     hinges = [c for c in m.coordinates if c.kind == "hinge"]
     other = m.faces or m.forces or m.attractions or m.burns or m.meetings or m.feet
     if len(hinges) != 1 or other or any(c.speed for c in m.coordinates):
@@ -53,7 +53,7 @@ def riding(m: Mechanism) -> Riding | None:
 
 
 def _pull(m: Mechanism, line: Line, rail: Coordinate) -> Pull | None:
-    """Return the pull of a string that runs along the rail from the carriage; None for any other."""
+    """Return the pull of a string that runs along the rail from the carriage; None for any other string."""
     on = [place for place, site in enumerate(line.through) if m.site[site].body == rail.body]
     if len(on) != 1 or on[0] not in (0, len(line.through) - 1) or line.wheels or line.circle:
         return None
@@ -76,10 +76,10 @@ def _pull(m: Mechanism, line: Line, rail: Coordinate) -> Pull | None:
 
 
 class Carriage:
-    """Its masses and forces in the symbols of the text; forward is the side on which the arm begins."""
+    """The masses and forces of a carriage, in the symbols of the text; forward is the arm's initial side."""
 
     def __init__(self, setting: Setting, book: Book) -> None:
-        """UnreadError where a number is no simple function of those in the text."""
+        """Read the parameters; raise UnreadError if one is not a simple function of the numbers in the text."""
         found = riding(setting.mechanism)
         assert found is not None, "who asks has seen that something swings on it"
         self.setting, self.riding = setting, found
@@ -99,31 +99,31 @@ class Carriage:
         return {"to the right": "clockwise", "to the left": "anticlockwise"}.get(self.way, "downward")
 
     def read(self, number: Callable[[Mechanism], float]) -> Expression:
-        """Return a number of the mechanism."""
+        """Return a formula for a number of the mechanism."""
         return self.setting.lexicon.of(number).expression()
 
     def mass(self, body: str) -> Expression:
-        """Return the mass of a body."""
+        """Return the mass of a body, kg."""
         return self.read(lambda m: m.body[body].mass)
 
     @cached_property
     def moving_along(self) -> list[str]:
-        """The names of the bodies that move as fast as the carriage: it and those that hang from its strings."""
+        """Return the bodies as fast as the carriage: itself and those that hang from its strings."""
         return [self.riding.carriage, *(pull.body for pull in self.riding.pulls if pull.body)]
 
     @cached_property
     def sliding_mass(self) -> Expression:
-        """The mass of what moves as fast as the carriage."""
+        """Return the total mass of the bodies as fast as the carriage, kg."""
         return summed(self.mass(body) for body in self.moving_along)
 
     @cached_property
     def swinging_mass(self) -> Expression:
-        """The mass of the arm and what is on it."""
+        """Return the mass of the arm with the bodies on it, kg."""
         return summed(self.arm.piece(body).mass for body in self.arm.bodies)
 
     @cached_property
     def total_mass(self) -> Expression:
-        """The mass of all."""
+        """Return the mass of all bodies, kg."""
         return self.sliding_mass + self.swinging_mass
 
     @cached_property
@@ -133,12 +133,12 @@ class Carriage:
         return len(self.arm.bodies) == 1 and not any(inertia)
 
     def towards(self, line: str) -> float:
-        """1.0 if a string pulls it forward, -1.0 if it pulls it back."""
+        """Return 1.0 if a string pulls the carriage forward, -1.0 if it pulls it back."""
         return next(self.forward * pull.side for pull in self.riding.pulls if pull.line == line)
 
     @cached_property
     def driving_force(self) -> Expression:
-        """Return the force forward along the rail, in N: of hands, and the weight of what hangs from strings."""
+        """Return the forward force along the rail, in N: that of hands, and the weight of hanging bodies."""
         found: Expression = ZERO
         for pull in sorted(self.riding.pulls, key=lambda pull: -self.towards(pull.line)):
             size = self._weight(pull.body) if pull.body else self._hand(pull.line)
@@ -162,7 +162,7 @@ class Carriage:
         return self.setting.called(self.riding.carriage)
 
     def hanging(self) -> Iterator[str]:
-        """Yield a sentence for each body that hangs from a string, and so adds to the mass of the carriage."""
+        """Yield a sentence for each hanging body, which adds to the mass of the carriage."""
         x, y, z = (self.forward * part for part in self._rail)
         for pull in self.riding.pulls:
             if pull.body:

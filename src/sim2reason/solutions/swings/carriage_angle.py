@@ -1,4 +1,4 @@
-"""Where a swing on a carriage is, at the moment that is asked about, and what of it never changes."""
+"""The angle of a swing on a carriage at the moment of the question, and the conserved quantities."""
 
 from math import pi
 
@@ -16,15 +16,15 @@ from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import DEGREES, METRES
 
 TWO = Number(2.0)
-REST = 1e-4  # rad/s, where the time is found by a search
-NEAR = 1e-3  # rad, likewise
+REST = 1e-4  # rad/s, tolerance for times found by a search
+NEAR = 1e-3  # rad, tolerance for times found by a search
 
 
 class CarriageAngle(SwingAngle):
-    """The angle of the arm, positive forward, on the side on which it begins, written as it is needed."""
+    """The angle of an arm on a carriage, positive on its initial side, written as needed."""
 
     def __init__(self, setting: Setting, book: Book) -> None:
-        """UnreadError where a number is no simple function of those in the text."""
+        """Read the parameters; raise UnreadError if one is not a simple function of the numbers in the text."""
         super().__init__(setting, book)
         self.carriage = Carriage(setting, book)
         self.arm = self.carriage.arm
@@ -38,34 +38,34 @@ class CarriageAngle(SwingAngle):
         self.way = -1.0
         self.begins = isinstance(moment, AtStart) or when == 0.0
 
-    # ---- what SwingAngle asks
+    # ---- members of SwingAngle
 
-    _far: Symbol | None = None  # how far the carriage has come, where that is given
+    _far: Symbol | None = None  # the displacement of the carriage, if it is given
     _told_hanging = False
 
     @property
     def goes_round(self) -> bool:
-        """From rest it does not."""
+        """Return False, since a swing from rest does not go round."""
         return False
 
     @property
     def still(self) -> bool:
-        """Return whether the arm does not turn then."""
+        """Return whether the arm is at rest relative to the carriage at the moment."""
         return abs(self.turning) <= REST
 
     @cached_property
     def natural(self) -> Symbol:
-        """None that times hang on."""
+        """Raise UnsolvedError, since times have no closed form."""
         raise UnsolvedError("only integration gives the time")
 
     @cached_property
     def spin(self) -> Expression:
-        """It begins at rest."""
+        """Return zero, since the arm begins at rest."""
         return ZERO
 
     @cached_property
     def angle(self) -> Expression:
-        """The angle at the moment."""
+        """Write the angle at the moment, if necessary, and return it."""
         moment = self.setting.query.moment
         if self.begins:
             return self.first
@@ -84,7 +84,7 @@ class CarriageAngle(SwingAngle):
         return self._turned()
 
     def _tell_greatest(self) -> None:
-        """Write why the carriage is fastest where the arm hangs straight down, whatever the angle at which it began."""
+        """Write why the carriage is fastest where the arm hangs straight down."""
         if self.setting.query.subject not in self.carriage.moving_along or self.driving_force != ZERO:
             return
         step, angle, total = self.book.open("extreme"), self.book.fresh(r"\varphi"), self.carriage.total_mass
@@ -101,14 +101,14 @@ class CarriageAngle(SwingAngle):
         step.close()
 
     def _hanging(self) -> list[str]:
-        """Return the sentences about bodies that hang from strings of the carriage; at the second call none."""
+        """Return the sentences about bodies that hang from strings of the carriage, at the first call only."""
         said = [] if self._told_hanging else [*self.carriage.hanging()]
         self._told_hanging = True
         return said
 
     @property
     def swings(self) -> str:
-        """Return the noun phrase of what joins the axle to what hangs on it, such as *the rod*."""
+        """Return the noun phrase of the arm, such as *the rod*."""
         return "the rod" if self.arm.carrier in self.arm.bodies else self.setting.called(self.arm.carrier)
 
     def _say(self, where: str) -> None:
@@ -121,11 +121,11 @@ class CarriageAngle(SwingAngle):
         step.close()
 
     def _tell_where(self, quantity: str) -> None:
-        """Write nothing here, since the angle at which the extreme value occurs is written with the position."""
+        """Write nothing, since the angle of the extreme value is written with the position."""
         del quantity
 
     def _turned(self) -> Expression:
-        """Return the angle at which the arm turns back, opposite to the first one about the effective gravity."""
+        """Write the angle at which the arm turns back, symmetric about the effective gravity, and return it."""
         if abs(self.now - self.began) < NEAR:
             return self.first
         if self.driving_force == ZERO:
@@ -144,7 +144,7 @@ class CarriageAngle(SwingAngle):
         return -name if beyond else name
 
     def _where_moved(self, moment: Moved) -> Expression:
-        """At which angle the carriage has come so far."""
+        """Write the angle at which the carriage has moved a stated distance, and return its symbol."""
         if moment.name not in self.carriage.moving_along:
             raise UnsolvedError("only integration gives the time")
         self.unloaded()
@@ -174,7 +174,7 @@ class CarriageAngle(SwingAngle):
         return self.carriage.driving_force
 
     def unloaded(self) -> None:
-        """UnsolvedError where a pull along the rail makes all hang on the time."""
+        """Raise UnsolvedError if a pull along the rail makes the motion depend on the time."""
         if self.driving_force != ZERO:
             raise UnsolvedError("how fast and how far the carriage moves takes the time")
 
@@ -185,27 +185,27 @@ class CarriageAngle(SwingAngle):
 
     @cached_property
     def length(self) -> Expression:
-        """From the axle to that body."""
+        """Return the distance from the axle to the single body, m."""
         return self.arm.piece(self.arm.bodies[0]).place
 
     @cached_property
     def mass(self) -> Expression:
-        """Return the mass that swings, in kg."""
+        """Return the swinging mass, in kg."""
         return self.carriage.swinging_mass
 
     @cached_property
     def moment(self) -> Expression:
-        """Σ m r."""
+        """Return Σ m r of the swinging bodies, kg m."""
         return self.mass * self.length if self.lone else self.arm.moment
 
     @property
     def sine_first(self) -> Expression:
-        """The sine of the angle at the start."""
+        """Return the sine of the angle at the start."""
         return Call("sin", self.first) if self.first != ZERO else ZERO
 
     @property
     def signed(self) -> Expression:
-        """The sine of the angle at the moment, with its sign."""
+        """Return the sine of the angle at the moment, with its sign."""
         if self.sine == ZERO:
             return ZERO
         return self.sine if self.book.value(self.angle) >= 0.0 else -self.sine

@@ -1,8 +1,8 @@
-"""A swing on a carriage: where it is, how fast it turns and moves, and how that changes.
+"""A swing on a carriage: position, velocities, accelerations and forces.
 
 Momentum along the rail and energy give the motion, Newton's law the rest: see Morin, Introduction to Classical
-Mechanics, chapters 5 and 6, and Landau and Lifshitz, Mechanics, section 5, problem 2. A steady pull along the rail adds
-a uniform acceleration to all: in the frame that has it, momentum is kept, and inertial forces do work.
+Mechanics, chapters 5 and 6, and Landau and Lifshitz, Mechanics, section 5, problem 2. A constant pull along the rail
+accelerates all bodies: in the frame with this acceleration, momentum is conserved and inertial forces do work.
 """
 
 from sim2reason.base.lazy import cached_property
@@ -23,20 +23,20 @@ HALF = Number(0.5)
 
 
 class CarriageLaws(CarriageAngle):
-    """The laws, written as they are needed."""
+    """The laws of a swing on a carriage, written as needed."""
 
     # ---- the motion
 
     @cached_property
     def rate(self) -> Expression:
-        """Return the angular speed of the arm."""
+        """Write the angular speed of the arm, rad/s, and return it."""
         if self.begins or self.still:
             return ZERO
         return self._moving[0]
 
     @cached_property
     def speed(self) -> Expression:
-        """Return the velocity of the carriage, in m/s, against that of the arm along the rail."""
+        """Write the speed of the carriage, m/s, opposite to that of the arm along the rail, and return it."""
         if self.begins or self.still:
             return ZERO
         self.unloaded()
@@ -44,7 +44,7 @@ class CarriageLaws(CarriageAngle):
 
     @cached_property
     def _moving(self) -> tuple[Symbol, Symbol]:
-        """Write momentum and energy, and what follows."""
+        """Write conservation of momentum and energy, and return the angular speed and the carriage speed."""
         c, book, there = self.carriage, self.book, self.cosine
         drift = self._drift
         step, turns, runs = book.open("energy"), book.fresh(r"\omega"), book.fresh("V")
@@ -69,7 +69,7 @@ class CarriageLaws(CarriageAngle):
         return turns, runs
 
     def _named(self, turns: Symbol, runs: Symbol) -> tuple[str, ...]:
-        """Return sentences about what the rates at the moment are called, and which velocities they give."""
+        """Return sentences that name the rates at the moment and give the velocities."""
         c, lowest = self.carriage, self.angle == ZERO
         who = self.setting.called(self.arm.bodies[0]) if self.lone else f"the centre of mass of {self.swings}"
         seen = "in the frame with this acceleration, " if self._drift != ZERO else ""
@@ -105,7 +105,7 @@ class CarriageLaws(CarriageAngle):
 
     @cached_property
     def _drift(self) -> Expression:
-        """Write by how much a pull along the rail accelerates all."""
+        """Write the common acceleration due to a pull along the rail, m/s², and return it."""
         if self.driving_force == ZERO:
             return ZERO
         lead = "The force along the rail gives the common centre of mass the acceleration"
@@ -114,7 +114,7 @@ class CarriageLaws(CarriageAngle):
 
     @cached_property
     def place(self) -> Expression:
-        """Return how far the carriage has come forward, in m."""
+        """Write the forward displacement of the carriage, m, and return it."""
         if self.begins:
             return ZERO
         self.unloaded()
@@ -130,18 +130,18 @@ class CarriageLaws(CarriageAngle):
 
     @cached_property
     def radial_pull(self) -> Expression:
-        """Return the force in the rod over the mass of a lone body, in m/s², while the carriage is not accelerated."""
+        """Return the force in the rod per unit mass, m/s², for an unaccelerated carriage."""
         plain = self.gravity * self.cosine
         return plain + self.length * squares([self.rate])
 
     @cached_property
     def rod(self) -> Symbol:
-        """The force in the rod of a lone small body."""
+        """Return the force in the rod of a single small body, N."""
         return self._pulled[0]
 
     @cached_property
     def _pulled(self) -> tuple[Symbol, Expression]:
-        """Return the force in the rod, in N, and the acceleration of the carriage, in m/s², where it acts on that."""
+        """Write the force in the rod, N, and the acceleration of the carriage, m/s²; return both."""
         name, book, c = self.book.fresh("T"), self.book, self.carriage
         pull, mass = self.radial_pull, self.mass
         who = self.setting.called(self.arm.bodies[0])
@@ -164,7 +164,7 @@ class CarriageLaws(CarriageAngle):
 
     @cached_property
     def carriage_acceleration(self) -> Expression:
-        """The acceleration of the carriage, forward."""
+        """Write the forward acceleration of the carriage, m/s², and return it."""
         if self.sine == ZERO and self.driving_force == ZERO:
             return ZERO
         if not self.lone:
@@ -180,7 +180,7 @@ class CarriageLaws(CarriageAngle):
 
     @cached_property
     def angular_acceleration(self) -> Expression:
-        """The angular acceleration of the arm, towards the lowest point if it is forward of that."""
+        """Write the angular acceleration of the arm towards the lowest point, rad/s², and return it."""
         if not self.lone:
             return self._turned_up[0] if self.sine != ZERO or self.driving_force != ZERO else ZERO
         a = self.carriage_acceleration
@@ -194,7 +194,7 @@ class CarriageLaws(CarriageAngle):
 
     @cached_property
     def _turned_up(self) -> tuple[Symbol, Symbol]:
-        """Return the angular acceleration of an arm and the acceleration of its carriage, in m/s²."""
+        """Write the angular acceleration of an arm and the acceleration of its carriage; return both."""
         c, book, s, inertia = self.carriage, self.book, self.moment, self.arm.inertia
         step, turns, a = book.open("torque"), book.fresh(r"\alpha"), book.fresh("a", r"\text{c}")
         bent = squares([self.rate]) * self.signed

@@ -1,7 +1,7 @@
-"""How the mass of a uniform body is spread, in the symbols of the text: what tables of moments of inertia say.
+"""Mean squares of distances in uniform bodies, in the symbols of the text, for moments of inertia.
 
-In the body's own axes, of which z is its axis: how far along z its centre of mass lies from what the text calls its
-centre, and the mean squares of the distances along x, y and z from the centre of mass, so that I_z = m (⟨x²⟩ + ⟨y²⟩).
+In the body's own axes, of which z is its axis: the position along z of the centre of mass relative to the reference
+point, and the mean squares of x, y and z relative to the centre of mass, so that I_z = m (⟨x²⟩ + ⟨y²⟩).
 """
 
 from collections.abc import Callable
@@ -14,43 +14,43 @@ from sim2reason.solutions.algebra.digits import simple_fraction
 from sim2reason.solutions.algebra.expressions import ONE, ZERO, Expression, Number, Product, Sum, multiplied
 from sim2reason.solutions.algebra.functions import PI, Call, Power, squares, summed
 
-Sizes = Callable[[str], Expression]  # the symbol of a parameter of the body
+Sizes = Callable[[str], Expression]  # from a parameter of the body to its symbol
 
 
 @dataclass(frozen=True, slots=True)
 class MassSpread:
-    """Of a body with an axis; `yy` differs from `xx` only of a bar."""
+    """The mean squares of distances in a body with an axis; `yy` differs from `xx` only for a bar."""
 
     xx: Expression
     zz: Expression
     center: Expression = ZERO
     yy: Expression | None = None
-    square: Expression | None = None  # of the distances from a line across its axis, where that is better not summed
-    why: str = ""  # a sentence from where the numbers about a line across its axis are, if tables lack them
-    why_own: str = ""  # the same about its axis
+    square: Expression | None = None  # mean square distance from a line across its axis, if it is not to be a sum
+    why: str = ""  # the derivation of the value for a line across its axis, if tables lack it
+    why_own: str = ""  # the same for its axis
 
     @property
     def yy_or_xx(self) -> Expression:
-        """⟨y²⟩."""
+        """Return the mean square ⟨y²⟩, by default equal to ⟨x²⟩."""
         return self.xx if self.yy is None else self.yy
 
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """A part of a body, or a hole in it: its share of the mass, negative of a hole."""
+    """A part of a body, or a hole in it: its share of the mass, negative for a hole."""
 
     share: Expression
     spread: MassSpread
-    height: Expression = ZERO  # of the centre of mass, along z
+    height: Expression = ZERO  # of the centre of mass along z
 
 
 def of(share: float, length: Expression) -> Expression:
-    """Return a part of a square."""
+    """Return a fraction of the square of a length."""
     return Number(share) * Power(length, 2)
 
 
 def joined(parts: list[Part]) -> MassSpread:
-    """Parts of one density as one body: Steiner's theorem along z."""
+    """Return parts of one density as one body, by the parallel-axis theorem along z."""
     center, xx, zz = ZERO, ZERO, ZERO
     for part in parts:
         center = center + part.share * part.height
@@ -64,7 +64,7 @@ def _ball(radius: Expression) -> MassSpread:
 
 
 def _less(power: int, outer: Expression, inner: Expression) -> tuple[Expression, Expression]:
-    """Return the shares of a whole figure and of its hole, by their volumes."""
+    """Return the mass fractions of the full figure and, negative, of its hole, by their volumes."""
     rest = Power(outer, power) - Power(inner, power)
     return Power(outer, power) / rest, -(Power(inner, power) / rest)
 
@@ -78,7 +78,7 @@ def _hollow(size: Sizes) -> MassSpread:
 
 
 def _segment(radius: Expression, height: Expression) -> tuple[MassSpread, Expression]:
-    """Return a solid cap above its flat face, and the height of its centre of mass."""
+    """Return a solid spherical cap above its flat face, and the height of its centre of mass."""
     r, h = radius, height
     below = 3.0 * r - h
     center = h * (4.0 * r - h) / (4.0 * below)
@@ -130,7 +130,7 @@ def _holed_ball(size: Sizes) -> MassSpread:
 
 
 def _bored(size: Sizes) -> MassSpread:
-    """About an axis along its length, called y; the line to the hole is z."""
+    """Return a cylinder with a parallel bore; y is the axis and z the line to the bore."""
     outer, inner = size("radius"), size("hole")
     whole, hole = _less(2, outer, inner)
     discs = [MassSpread(of(0.25, radius), of(0.25, radius)) for radius in (outer, inner)]
@@ -139,7 +139,7 @@ def _bored(size: Sizes) -> MassSpread:
 
 
 def _prism(size: Sizes, sides: int, long: Expression) -> MassSpread:
-    """Return a regular prism; the numbers of triangles, squares and hexagons are simple."""
+    """Return a regular prism; the fractions for triangles, squares and hexagons are simple."""
     radius, turn = size("radius"), 2.0 * PI / Number(float(sides))
     plain = (2.0 + cos(2.0 * pi / sides)) / 12.0
     square = Number(1.0 / 12.0) * (Number(2.0) + Call("cos", turn)) * Power(radius, 2)
@@ -182,7 +182,7 @@ TABLE: dict[str, Callable[[Sizes], MassSpread]] = {
 
 
 def mass_spread(shape: Shape, size: Sizes) -> MassSpread | None:
-    """Return what the table has for a body; None if it is not in it."""
+    """Return the table entry of a body; None if it has none."""
     name = type(shape).__name__
     if name in ("PolygonalPrism", "LongPrism"):
         long = of(1.0 / 12.0, size("height")) if name == "PolygonalPrism" else ZERO
@@ -192,14 +192,14 @@ def mass_spread(shape: Shape, size: Sizes) -> MassSpread | None:
 
 
 def candidates(spread: MassSpread) -> list[Expression]:
-    """Return the moment of inertia over the mass about each of its own axes, and across it."""
+    """Return the moment of inertia over the mass about a line across the axis, the axis, and the other line."""
     x, y, z = spread.xx, spread.yy_or_xx, spread.zz
     across = spread.square
     return [across or _collected(x + z), _collected(x + y), across or _collected(y + z)]
 
 
 def tilted(spread: MassSpread, angle: Expression) -> tuple[Expression, str]:
-    """Return what `candidates` has about a line in the plane of its axis, at 90° less an angle to that; with why."""
+    """Return the moment of inertia over the mass about a tilted line in the plane of the axis, with the reason."""
     across, own, _ = candidates(spread)
     along, beside = Power(Call("cos", angle), 2), Power(Call("sin", angle), 2)
     if own == ZERO:
@@ -213,7 +213,7 @@ def tilted(spread: MassSpread, angle: Expression) -> tuple[Expression, str]:
 
 
 def _collected(held: Expression) -> Expression:
-    """Return a sum in which terms that differ by a number alone are one."""
+    """Return a sum in which terms that differ only in a numerical factor are combined."""
     parts: dict[Expression, float] = {}
     for term in held.terms if isinstance(held, Sum) else (held,):
         factors = term.factors if isinstance(term, Product) else (term,)

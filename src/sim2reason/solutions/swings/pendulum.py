@@ -1,4 +1,4 @@
-"""A small body that swings about a fixed point: where that is, how long the string or rod, which angle and speed."""
+"""A small body that swings about a fixed point: its pivot, length, initial angle and speed."""
 
 from math import acos, hypot
 
@@ -8,7 +8,7 @@ from sim2reason.scenes.dsl.vectors import minus
 
 
 def pivot(m: Mechanism) -> tuple[str, str | None, tuple[float, float, float]] | None:
-    """Return the body that swings, the line that holds it (None: a hinge), and the point about which."""
+    """Return the swinging body, the line that holds it (None: a hinge), and the pivot; None if there is none."""
     heavy = [body for body in m.bodies if body.mass]
     if len(heavy) != 1 or any(heavy[0].inertia) or m.faces or m.forces or m.attractions or m.burns or m.feet:
         return None
@@ -27,7 +27,7 @@ def pivot(m: Mechanism) -> tuple[str, str | None, tuple[float, float, float]] | 
 
 
 def place(m: Mechanism) -> tuple[float, float, float]:
-    """From the point about which it swings to the body, at the start."""
+    """Return the vector, m, from the pivot to the body at the start."""
     found = pivot(m)
     assert found is not None, "who asks has seen that it swings"
     body, _, point = found
@@ -36,7 +36,7 @@ def place(m: Mechanism) -> tuple[float, float, float]:
 
 
 def geometry(m: Mechanism) -> tuple[float, float, float]:
-    """Return the length, the angle with the downward vertical at the start, and the speed then."""
+    """Return the length, m, the initial angle with the downward vertical, rad, and the initial speed, m/s."""
     apart = place(m)
     length = hypot(*apart)
     if len(m.coordinates) == 1:

@@ -1,4 +1,4 @@
-"""Sentences about a prism that tips over its edges: its shape, and where its axis is when an edge lands."""
+"""Sentences about a prism that tips over its edges: its shape, and the position of its axis at landings."""
 
 from collections.abc import Sequence
 
@@ -22,7 +22,7 @@ def shape_words(who: str, sides: int, turn: Expression) -> str:
 
 
 def sinking_words(radius: Expression, half: Expression, slope: Expression) -> str:
-    """Return how far the axis sinks from one landing to the next, as a clause."""
+    """Return a clause about the distance by which the axis sinks from one landing to the next."""
     if slope == ZERO:
         return "When the next edge lands, the axis is as high as before"
     way = Number(2.0) * radius * Call("sin", half) * Call("sin", slope)
@@ -31,14 +31,14 @@ def sinking_words(radius: Expression, half: Expression, slope: Expression) -> st
 
 
 def landing_words(speed: Expression, turn: Expression, law: str) -> str:
-    """Return the sentences that lead to a law, the conservation of angular momentum about a new edge."""
+    """Return the sentences before the conservation of angular momentum about a new edge."""
     fast, angle = speed.latex(), turn.latex()
     said = f"Just before, the axis has the speed ${fast}$, at the angle ${angle}$ to its direction just after."
     return f"{said} Angular momentum about the new edge is conserved: {law},"
 
 
 def angle_words(half: Expression, angle: Expression) -> str:
-    """Return the sentence that says at which angle to the vertical the line from the edge to the axis is."""
+    """Return the sentence that gives the angle of the line from edge to axis with the vertical."""
     return (
         "At the start, and whenever an edge lands, the line from the lower edge to the axis is turned uphill by "
         f"${half.latex()}$ from the perpendicular to the plane. At the moment asked about, its angle with the "
@@ -47,10 +47,10 @@ def angle_words(half: Expression, angle: Expression) -> str:
 
 
 def velocities_words(turned: Expression, *, highest: bool, landed: bool) -> str:
-    """Return the sentences that say which angle the first and the last velocity of the axis make.
+    """Return the sentences that give the angle between the initial and final velocities of the axis.
 
-    `turned` is the angle through which the prism has turned at the end, since its last landing if it has `landed`;
-    `highest` says that its axis is at the top then, which comes before any landing.
+    `turned` is the final angle turned, since the last landing if the prism has `landed`; `highest` states that the axis
+    is then at the top, before any landing.
     """
     angle = f"${turned.latex()}$"
     how = f"Since the start it has turned by {angle}"
@@ -63,7 +63,7 @@ def velocities_words(turned: Expression, *, highest: bool, landed: bool) -> str:
 
 
 def tell(book: Book, sentence: str) -> None:
-    """Write a reason, on which nothing rests."""
+    """Write a reason on which no result depends."""
     step = book.open("extreme")
     step.say(sentence)
     step.close()
@@ -72,9 +72,9 @@ def tell(book: Book, sentence: str) -> None:
 def verify_tops(
     book: Book, rates: Sequence[Expression], inertia: Expression, weight: Expression, begins: Expression
 ) -> None:
-    """Write, in the end, that the axis gets over every edge from which another one is reached; nothing in symbols.
+    """Schedule the verification that the axis passes over every edge from which another one is reached.
 
-    The last of the `rates` is that after the last landing: its edge is included where the energy is enough for it.
+    The last of the `rates` is that after the last landing: its edge is included if the energy suffices to pass it.
     """
     if book.in_symbols or len(rates) < 2 or book.value(begins) >= 0.0:
         return

@@ -21,7 +21,7 @@ from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ANGULAR_ACCELERATION, ANGULAR_SPEED, METRES, latex
 
 FORCE, MASS = latex("N"), latex("kg")
-LEVEL = 1e-12  # the cosine of an angle that is a right one
+LEVEL = 1e-12  # largest cosine of an angle that counts as a right angle
 LINE = "the line from the centre of mass to the axle"
 TOWARDS = f"By Newton's second law for the centre of mass, along {LINE}, the axle exerts the force component"
 UPWARDS = "Perpendicular to that line and upwards, against the tangential acceleration, it exerts the component"
@@ -45,9 +45,9 @@ RIGHTWARD = (
 
 
 class AxleForces(SwingAngle):
-    """A body that swings about a fixed axle, with the force that the axle exerts.
+    """A swing about a fixed axle, with the force that the axle exerts.
 
-    Who makes one sets `arm` and `gravity`, its acceleration of free fall.
+    Subclasses set `arm` and `gravity`, the acceleration of free fall.
     """
 
     arm: Arm
@@ -57,11 +57,11 @@ class AxleForces(SwingAngle):
     @cached_property
     @abstractmethod
     def rate(self) -> Expression:
-        """The angular speed at the moment."""
+        """Return the angular speed at the moment, rad/s."""
 
     @cached_property
     def angular_acceleration(self) -> Expression:
-        """The angular acceleration, of its size: torque over moment of inertia."""
+        """Write the magnitude of the angular acceleration, rad/s², and return it."""
         if self.sine == ZERO:
             return ZERO
         moment = self.arm.moment
@@ -74,7 +74,7 @@ class AxleForces(SwingAngle):
 
     @cached_property
     def whole(self) -> Expression:
-        """The mass of all bodies together."""
+        """Write the total mass, kg, and return it."""
         masses = [self.arm.piece(body).mass for body in self.arm.bodies]
         if len(masses) == 1:
             return masses[0]
@@ -85,7 +85,7 @@ class AxleForces(SwingAngle):
 
     @cached_property
     def lever(self) -> Expression:
-        """The distance of their common centre of mass from the axle."""
+        """Write the distance of the common centre of mass from the axle, m, and return it."""
         if len(self.arm.bodies) == 1:
             place = self.arm.piece(self.arm.bodies[0]).place
             return self.book.magnitude(place)
@@ -96,7 +96,7 @@ class AxleForces(SwingAngle):
 
     @property
     def _below(self) -> Expression:
-        """The cosine of the angle of the line to the centre of mass; zero for a right angle that is known."""
+        """Return the cosine of the angle of the centre of mass; zero for a known right angle."""
         cosine = self.cosine if self.falls else -self.cosine
         return ZERO if not self.book.is_hidden(cosine) and abs(self.book.value(cosine)) < LEVEL else cosine
 
@@ -104,20 +104,20 @@ class AxleForces(SwingAngle):
 
     @cached_property
     def _inward(self) -> Expression:
-        """F_r, in N."""
+        """Return the force component F_r towards the axle, in N."""
         bend = self.lever * squares([self.rate])
         return self.whole * (self.gravity * self._below + bend)
 
     @cached_property
     def _aside(self) -> Expression:
-        """F_t, in N."""
+        """Return the force component F_t perpendicular to the line to the axle, in N."""
         if self.sine == ZERO:
             return ZERO
         return self.whole * (self.gravity * self.sine - self.lever * self.angular_acceleration)
 
     @cached_property
     def _both(self) -> tuple[Symbol, Symbol]:
-        """F_r and F_t, each in a step of its own."""
+        """Write the force components F_r and F_t, and return their symbols."""
         inward, aside = self._inward, self._aside
         one = self.book.told("force", TOWARDS, self.book.fresh("F", "r"), inward, FORCE)
         other = self.book.told("force", UPWARDS, self.book.fresh("F", "t"), aside, FORCE)
@@ -125,12 +125,12 @@ class AxleForces(SwingAngle):
 
     @property
     def _projected(self) -> bool:
-        """Return whether a component along an axis of the room is asked for."""
+        """Return whether a component along an axis of the world frame is asked for."""
         target = self.setting.query.target
         return target is not None and target.sense is not None
 
     def axle_force(self) -> Expression:
-        """Return the size of the force, or the component that is asked for, in N."""
+        """Return the magnitude of the axle force, or the component that is asked for, in N."""
         if self._projected:
             return self._upward() if self.vertical else self._rightward()
         if ZERO in (self._inward, self._aside):
@@ -140,7 +140,7 @@ class AxleForces(SwingAngle):
 
     @property
     def _moment(self) -> Expression:
-        """M d, in kg m."""
+        """Return M d, in kg m."""
         return self.arm.moment if self.falls else -self.arm.moment
 
     def _upward(self) -> Expression:
@@ -148,13 +148,13 @@ class AxleForces(SwingAngle):
         return self.whole * self.gravity + self._moment * rises
 
     def _rightward(self) -> Expression:
-        """Return the horizontal part, in which M appears only within M d."""
+        """Return the horizontal component of the axle force, N, in which M appears only within M d."""
         inward = self._moment * (squares([self.rate]) * self.sine + self.angular_acceleration * self._below)
         first_on_right = (self.now >= 0.0) == self.arm.begins_right
         return -inward if first_on_right == self.falls else inward
 
     def said_of_axle(self) -> str:
-        """Return the words before the formula of the force."""
+        """Return the words before the formula of the axle force."""
         if self._projected and not self.vertical:
             return RIGHTWARD
         if self.sine == ZERO:
@@ -168,7 +168,7 @@ HARMONIC = "This is the moment of inertia times the angular acceleration, so"
 
 
 def small_oscillations(arm: Arm, book: Book, query: PeriodQuery) -> Symbol:
-    """Write the period, with ω² = m g d/I; the text need not give the angle at the start."""
+    """Write the period of small oscillations, with ω² = m g d/I, and return its symbol."""
     size = book.magnitude(arm.moment)
     torque, inertia, angle = size * arm.gravity, arm.inertia, book.fresh(r"\varphi")
     step, exact, near = book.open("torque"), -(torque * Call("sin", angle)), -(torque * angle)
@@ -182,16 +182,16 @@ def small_oscillations(arm: Arm, book: Book, query: PeriodQuery) -> Symbol:
     return measured_period(book, query, rate)
 
 
-SAMPLES = 48  # of a period of small swings, at least
+SAMPLES = 48  # minimum number of samples per period of small oscillations
 TWICE = 2
-SLOW = 1e-7  # of the fastest: the end of what comes to rest there
+SLOW = 1e-7  # relative to the greatest rate: below it the body counts as at rest
 
 Seen = Callable[[Array], tuple[Array, Array]]
 """Angles and their rates at times, each (n,)."""
 
 
 def swept(swing: SwingAngle, seen: Seen) -> Expression:
-    """Return the sum of all angles; what is `seen` decides signs and numbers of turns alone."""
+    """Return the total angle; the angles and rates that `seen` gives only decide signs and turns."""
     end = swing.setting.time
     count = SAMPLES * max(1, ceil(end * swing.book.value(swing.natural) / (2.0 * pi)))
     angles, rates = seen(np.linspace(0.0, end, count + 1))
@@ -213,7 +213,7 @@ def swept(swing: SwingAngle, seen: Seen) -> Expression:
 
 
 def _tell_way(swing: SwingAngle, turns: int, way: float) -> None:
-    """Write from where to where it goes between turning points, and where it ends if that is none."""
+    """Write the course between turning points, and its end if that is not a turning point."""
     inward, ends = way < 0.0 and swing.first != ZERO, ZERO if swing.still else swing.angle
     reach, through = f"${swing.reach.latex()}$", " through the lowest point"
     begins = f"${swing.first.latex()}$" if swing.first != ZERO else "the lowest point"
@@ -232,7 +232,7 @@ def _tell_way(swing: SwingAngle, turns: int, way: float) -> None:
 
 
 def _round(swing: SwingAngle, end: float) -> Expression:
-    """Return the angle of a swing that goes right round: whole half turns where it ends straight up or down."""
+    """Return the angle turned by a swing that goes right round, in half turns if it ends upright."""
     halves = round(end / pi)
     there = swing.angle
     if there == ZERO or isinstance(there, Number):
@@ -242,7 +242,7 @@ def _round(swing: SwingAngle, end: float) -> Expression:
 
 
 def _place(held: Expression) -> Polynomial:
-    """Return an angle with its sign, as a term."""
+    """Return an angle with its sign, as a polynomial term."""
     if held == ZERO:
         return Polynomial({})
     negative = held.latex().startswith("-")

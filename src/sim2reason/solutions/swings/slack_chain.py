@@ -1,4 +1,4 @@
-"""The phases of a bob on a string that goes slack: circle, projectile, circle again."""
+"""The phases of a bob whose string goes slack: circle, projectile, circle again."""
 
 from dataclasses import dataclass
 from math import cos
@@ -17,14 +17,14 @@ from sim2reason.solutions.writing.unit_latex import DEGREES, METRES, SECONDS, SP
 
 CIRCLE, TANGENT = "circle", "perpendicular"
 HALF, TWO, THREE, FOUR = Number(0.5), Number(2.0), Number(3.0), Number(4.0)
-AT_ONCE = 1e-9  # relative: how close two times of one event are
+AT_ONCE = 1e-9  # relative tolerance of times of one event
 ON_CIRCLE = "is on its circle, the string taut"
 FLIES = "flies freely, the string slack"
 
 
 @dataclass(frozen=True, slots=True)
 class Instant:
-    """A place with the components of the velocity there; its size too, with any sign, where it has a name."""
+    """A position with the velocity there: components, and the speed, with any sign, if it has a symbol."""
 
     x: Expression
     y: Expression
@@ -34,10 +34,10 @@ class Instant:
 
 
 class SlackChain:
-    """All phases up to the moment that is asked about, each written when the next one needs it."""
+    """All phases up to the moment of the question, each written when the next one needs it."""
 
     def __init__(self, setting: Setting, book: Book) -> None:
-        """UnreadError if a length, angle or speed of the start is no simple function of the numbers in the text."""
+        """Read the parameters; raise UnreadError if one is not a simple function of the numbers in the text."""
         self.setting, self.book = setting, book
         self.swing = SwingState(setting, book)
         self.length, self.gravity = self.swing.length, self.swing.gravity
@@ -48,13 +48,13 @@ class SlackChain:
 
     @cached_property
     def changes(self) -> list[Event]:
-        """Return where the string goes slack or taut, up to the moment."""
+        """Return the events, up to the moment, at which the string goes slack or taut."""
         limit = self.setting.time * (1.0 + AT_ONCE)
         return [e for e in self.setting.motion.events if e.kind in ("slack", "taut") and 0.0 < e.time <= limit]
 
     @cached_property
     def slack_at_once(self) -> bool:
-        """Return whether the string pulls at no time at the start: above the fixed point, and slow."""
+        """Return whether the string is slack at the start: the bob is above the fixed point and slow."""
         held = self.swing
         g, ell, v = (self.book.value(part) for part in (self.gravity, self.length, held.launch))
         return v**2 + g * ell * cos(held.began) < 0.0
@@ -65,7 +65,7 @@ class SlackChain:
         return 1.0 if self._seen(slack[0] if slack and not self.slack_at_once else 0.0)[0] >= 0.0 else -1.0
 
     def _seen(self, time: float) -> tuple[float, float, float]:
-        """Return the engine's place along x from the fixed point and its velocity at a time, for signs alone."""
+        """Return the engine's x from the fixed point and its velocity along x and y at a time, for signs alone."""
         m = self.setting.mechanism
         state = self.setting.study.trace.sample(np.array([time]))
         center, number = state.frames.center(self.swing.body), m.line[self.swing.line or ""].through
@@ -74,7 +74,7 @@ class SlackChain:
         return x - fixed[0], vx, vz
 
     def sign(self, time: float, of: int) -> float:
-        """Return the sign of what the engine has at a time: 0 for x, 1 and 2 for the velocity along x and y."""
+        """Return the sign of the engine's x (0), or of the velocity along x (1) or y (2), at a time."""
         seen = self._seen(time)[of]
         return (1.0 if seen >= 0.0 else -1.0) * (1.0 if of == 2 else self.side)
 
@@ -82,7 +82,7 @@ class SlackChain:
 
     @cached_property
     def start(self) -> Instant:
-        """Return where and how fast the bob is at first: along its arc, towards the lowest point."""
+        """Return the initial position and velocity of the bob."""
         held, ell = self.swing, self.length
         begins = self.sign(0.0, 0)
         sine = Call("sin", held.first) if held.first != ZERO else ZERO
@@ -92,7 +92,7 @@ class SlackChain:
         return Instant(ell * sine * begins, -(ell * cosine), vx, vy, held.launch)
 
     def tell_axes(self) -> None:
-        """Write from where and which way places are counted."""
+        """Write the origin and the directions of the coordinates."""
         side = "it begins" if self.slack_at_once else "the string goes slack"
         step = self.book.open("names")
         step.say(f"Let $x$ and $y$ be counted from the fixed point, $x$ horizontally to the side on which {side}, $y$")
@@ -102,7 +102,7 @@ class SlackChain:
     # ---- on the circle
 
     def goes_slack(self, start: Instant, time: float) -> Instant:
-        """Write where the string goes slack, from another place on the circle, and the velocity there."""
+        """Write the position and velocity at which the string goes slack and return them."""
         book, ell, g = self.book, self.length, self.gravity
         y, v = book.fresh("y", r"\text{s}"), book.fresh("v", r"\text{s}")
         step = book.open(CIRCLE)
@@ -133,7 +133,7 @@ class SlackChain:
     # ---- in flight
 
     def is_taut_again(self, held: Instant) -> tuple[Symbol, Instant]:
-        """Write for how long the bob flies until the string is taut again, and its place and velocity just before."""
+        """Write the time of flight until the string is taut, and position and velocity just before; return both."""
         book, ell, g = self.book, self.length, self.gravity
         step, t = book.open("taut"), book.fresh("t", r"\text{f}")
         across = held.x + held.vx * t
@@ -154,7 +154,7 @@ class SlackChain:
         return t, self.after(held, t, f"{capital(self.who)} is then at")
 
     def after(self, held: Instant, t: Expression, said: str) -> Instant:
-        """Write the place and the velocity after some time of flight."""
+        """Write the position and velocity after a time of flight and return them."""
         book, g = self.book, self.gravity
         x = book.told("flight", said, book.fresh("x"), held.x + held.vx * t, METRES)
         y = book.told("flight", said, book.fresh("y"), held.y + held.vy * t - HALF * g * Power(t, 2), METRES)
@@ -163,7 +163,7 @@ class SlackChain:
         return Instant(x, y, held.vx, vy)
 
     def highest(self, held: Instant) -> Instant:
-        """Write how high the projectile comes; there it flies horizontally."""
+        """Write the highest point of the projectile and return its position and velocity."""
         book, g = self.book, self.gravity
         said = f"{capital(self.who)} now moves as a projectile. Where its vertical velocity is zero, its height is"
         y = book.told("top", said, book.fresh("y"), held.y + Power(held.vy, 2) / (TWO * g), METRES)
@@ -172,13 +172,13 @@ class SlackChain:
     # ---- the jerk
 
     def radial(self, held: Instant) -> Symbol:
-        """Write the velocity along the string just before it is taut."""
+        """Write the velocity along the string just before it is taut and return its symbol."""
         said = "The jerk takes away the velocity along the string,"
         formula = (held.x * held.vx + held.y * held.vy) / self.length
         return self.book.told("jerk", said, self.book.fresh("w"), formula, SPEED)
 
     def jerked(self, held: Instant) -> tuple[Instant, Symbol]:
-        """Write the velocity just after, which is along the circle, and its speed, counted counter-clockwise."""
+        """Write the velocity just after the jerk, along the circle; return it and the counter-clockwise speed."""
         book, ell = self.book, self.length
         said = "The jerk takes away the velocity along the string; the component perpendicular to it is"
         u = book.told("jerk", said, book.fresh("u"), (held.x * held.vy - held.y * held.vx) / ell, SPEED)
@@ -188,7 +188,7 @@ class SlackChain:
     # ---- later on the circle
 
     def turns(self, held: Instant) -> Instant:
-        """Write how high the bob comes to rest on the circle."""
+        """Write the height at which the bob comes to rest on the circle and return the position."""
         book, ell = self.book, self.length
         said = "It turns back where all its kinetic energy is used up, at the height"
         y = book.told("turning", said, book.fresh("y"), held.y + self.squared(held) / (TWO * self.gravity), METRES)
@@ -196,7 +196,7 @@ class SlackChain:
         return Instant(x if self.sign(self.setting.time, 0) > 0.0 else -x, y, ZERO, ZERO, ZERO)
 
     def swung(self, held: Instant, times: SwingTime, t: Symbol) -> Instant:
-        """Write the place and the velocity after some time on the circle."""
+        """Write the position and velocity after a time on the circle and return them."""
         book, ell, when = self.book, self.length, self.setting.time
         begins = self.side if held.x == ZERO else self._sign_of(held.x)
         angle = times.angle(t)
@@ -215,7 +215,7 @@ class SlackChain:
         return 1.0 if self.book.value(held) > 0.0 else -1.0
 
     def times(self, held: Instant, speed: Expression) -> SwingTime:
-        """From an angle to a time and back, on the circle from a place on."""
+        """Return the relation between angle and time on the circle from a position on."""
         if held == self.start:
             return self.swing.times
         book, ell = self.book, self.length
@@ -225,7 +225,7 @@ class SlackChain:
         return SwingTime(book, self.swing.natural, angle, size / ell, 1.0 if outward else -1.0)
 
     def angle(self, held: Instant, name: Symbol) -> Symbol:
-        """Write the angle of the string with the downward vertical, without a sign, from the smaller coordinate."""
+        """Write the magnitude of the angle of the string with the downward vertical and return its symbol."""
         x, y = self.book.value(held.x), self.book.value(held.y)
         formula: Expression = Call("arccos", -(held.y / self.length))
         if abs(x) < abs(y):
@@ -236,7 +236,7 @@ class SlackChain:
 
 
 def size_of(one: Expression, other: Expression) -> Expression:
-    """Return the size of a vector by its components, of either sign where only one is not zero."""
+    """Return the magnitude of a vector by its components; a single component keeps its sign."""
     return one + other if ZERO in (one, other) else Root(squares([one, other]))
 
 
@@ -247,7 +247,7 @@ def change(book: Book, there: Instant, start: Instant) -> Expression:
 
 
 def tell_velocities(book: Book, there: Instant, start: Instant, *, flies: bool) -> None:
-    """Write between which velocities the momentum changes."""
+    """Write the initial and final velocities between which the momentum changes."""
     step = book.open("extreme")
     first = [f"${v.latex()}$ along {axis}" for v, axis in ((start.vx, "x"), (start.vy, "y")) if v != ZERO]
     step.say(f"The initial velocity is {joined(first)}." if first else "")
@@ -257,7 +257,7 @@ def tell_velocities(book: Book, there: Instant, start: Instant, *, flies: bool) 
 
 
 def tell_flight(book: Book, there: Instant) -> None:
-    """Write that the horizontal velocity is constant in free flight, and the vertical one zero at the highest point."""
+    """Write that the horizontal velocity is constant in free flight, and the vertical one zero at the top."""
     step = book.open("extreme")
     at = ", and the vertical one is zero at the highest point" if there.vy == ZERO else ""
     step.say(f"In free flight the horizontal velocity stays ${there.vx.latex()}${at}.")

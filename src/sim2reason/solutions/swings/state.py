@@ -1,4 +1,4 @@
-"""A swing at one moment: at which angle, and how fast."""
+"""The angle and speed of a swing at one moment."""
 
 from math import cos
 
@@ -17,17 +17,17 @@ from sim2reason.solutions.writing.comparing import exceeds
 from sim2reason.solutions.writing.steps import Book, Writing
 from sim2reason.solutions.writing.unit_latex import ANGULAR_SPEED, DEGREES, SPEED
 
-SAMPLES = 257  # of the way to the moment, which is a few turns at most
+SAMPLES = 257  # samples up to the moment, which is at most a few turns after the start
 
 
 class SwingState(SwingAngle):
-    """The angle and the speed of a swing at the moment that is asked about, written as they are needed.
+    """The angle and the speed of a swing at the moment of the question, written as needed.
 
-    Angles are counted from the downward vertical, positive on the side on which it begins.
+    Angles are counted from the downward vertical, positive on the initial side.
     """
 
     def __init__(self, setting: Setting, book: Book) -> None:
-        """UnreadError if its length or its start are no simple numbers."""
+        """Read the parameters; raise UnreadError if the length or initial state is not a simple function of them."""
         super().__init__(setting, book)
         found = pivot(setting.mechanism)
         assert found is not None
@@ -47,12 +47,12 @@ class SwingState(SwingAngle):
 
     @cached_property
     def turned(self) -> float:  # type: ignore[override]
-        """Whole turns included: it goes through less than half a turn from sample to sample."""
+        """Return the angle turned through, rad, including whole turns."""
         angles = np.unwrap(self._seen(np.linspace(0.0, self._when_seen, SAMPLES))[0])
         return float(angles[-1] - angles[0])
 
     def _seen(self, times: Array) -> tuple[Array, Array]:
-        """Return the angles and their rates at some times, each (n,), for signs alone."""
+        """Return the engine's angles and their rates at some times, each (n,), for signs alone."""
         state = self.setting.study.trace.sample(times)
         found = pivot(self.setting.mechanism)
         assert found is not None
@@ -64,27 +64,27 @@ class SwingState(SwingAngle):
 
     # ---- the angle and the speed
 
-    _slackened: Symbol | None = None  # the speed at which the string goes slack, once that is written
+    _slackened: Symbol | None = None  # the speed at which the string goes slack, once it is written
 
     @cached_property
     def natural(self) -> Symbol:
-        """ω₀² = g/ℓ."""
+        """Write the angular frequency of small oscillations, ω₀² = g/ℓ, and return its symbol."""
         formula = Root(ratio(self.gravity, self.length))
         return self.book.told("natural", SMALL, self.book.fresh(r"\omega", "0"), formula, ANGULAR_SPEED)
 
     @cached_property
     def spin(self) -> Expression:
-        """v₀/ℓ."""
+        """Return the initial angular speed v₀/ℓ, rad/s."""
         return ratio(self.launch, self.length)
 
     @property
     def goes_round(self) -> bool:
-        """Return whether it is still moving at the top: v₀² + 2 g ℓ cos θ₀ > −2 g ℓ, the string being ignored."""
+        """Return whether the energy suffices to pass the top: v₀² + 2 g ℓ cos θ₀ > −2 g ℓ, without the string."""
         g, ell, v = (self.book.value(part) for part in (self.gravity, self.length, self.launch))
         return v**2 > 2.0 * g * ell * (1.0 + cos(self.began))
 
     def _turned(self) -> Expression:
-        """Return where it turns back: all energy is of height."""
+        """Write the angle of the turning point from conservation of energy and return it with its sign."""
         name = self.book.fresh(r"\phi", r"\text{max}")
         step = self.book.open("energy")
         m, g, ell, v = self.mass, self.gravity, self.length, self.launch
@@ -109,7 +109,7 @@ class SwingState(SwingAngle):
         step.say(f"As {called} is less than $90^\\circ$, the string stays taut until then.")
 
     def _verify_reach(self, reach: Symbol) -> None:
-        """Write the same in the end, where the angle hangs on the unknown."""
+        """Write at the end that the string stays taut, for an angle that depends on the unknown."""
         step = self.book.open("verify")
         self._tell_reach(step, reach, f"${reach.latex()}$")
         step.close()
@@ -120,7 +120,7 @@ class SwingState(SwingAngle):
         return super()._at_extreme()
 
     def _tell_top(self) -> None:
-        """Write why it passes the top of the circle, unless numbers are not known."""
+        """Write why the body passes the top of the circle, if numbers are known."""
         g, ell, begun = self.gravity, self.length, squares([self.launch])
         needed = multiplied(Number(2.0), multiplied(multiplied(g, ell), added(ONE, self.cosine_first)))
         if self.book.is_hidden(begun) or self.book.is_hidden(needed):
@@ -131,7 +131,7 @@ class SwingState(SwingAngle):
         step.close()
 
     def _slack(self) -> Expression:
-        """Return where weight alone bends the path: m v²/ℓ = −m g cos φ, with the energy."""
+        """Write the angle at which the string goes slack, m v²/ℓ = −m g cos φ, and return it with its sign."""
         name, fast = self.book.fresh(r"\phi"), self.book.fresh("v", r"\text{s}")
         step, bent = self.book.open("slack"), Call("cos", name)
         g, ell, v = self.gravity, self.length, self.launch
@@ -161,7 +161,7 @@ class SwingState(SwingAngle):
 
     @cached_property
     def squared(self) -> Expression:
-        """The square of the speed at the moment."""
+        """Write the speed at the moment, m/s, and return its square."""
         moment = self.setting.query.moment
         if isinstance(moment, AtStart):
             return squares([self.launch])
@@ -183,10 +183,10 @@ class SwingState(SwingAngle):
 
     @property
     def speed(self) -> Expression:
-        """The speed itself."""
+        """Return the speed at the moment, m/s."""
         return self.squared.base if isinstance(self.squared, Power) else ZERO
 
     @property
     def who(self) -> str:
-        """Return what the text calls the swinging body, such as *the ball*."""
+        """Return the phrase for the swinging body, such as *the ball*."""
         return self.setting.called(self.body)

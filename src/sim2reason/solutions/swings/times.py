@@ -15,21 +15,21 @@ from sim2reason.solutions.writing.steps import Book, UnsolvedError
 from sim2reason.solutions.writing.unit_latex import ANGULAR_SPEED, DEGREES, RADIANS, SECONDS
 
 TWO = Number(2.0)
-NEAR = 1e-6  # rad or relative
+NEAR = 1e-6  # tolerance, in rad or relative
 
 
 class SwingTime:
-    """From an angle to the time and back; angles are from the lowest point, positive where it begins."""
+    """The relation between angle and time of a pendulum; angles are positive on the initial side."""
 
     def __init__(self, book: Book, natural: Symbol, first: Expression, rate: Expression, way: float) -> None:
-        """`natural` is ω₀, `first` the angle at the start, `rate` the angular speed then, `way` ±1 its sign."""
+        """Take ω₀ as `natural`, the initial angle `first`, the angular speed `rate` and its sign `way`, ±1."""
         self.book, self.natural, self.first, self.rate = book, natural, first, rate
         self.way = way if first != ZERO else 1.0
         self.side = 1.0 if first != ZERO else way
 
     @cached_property
     def modulus(self) -> Symbol:
-        """k, by the energy."""
+        """Write the modulus k from the energy and return its symbol."""
         half = Call("sin", self.first / TWO) if self.first != ZERO else ZERO
         formula = half
         if self.rate != ZERO:
@@ -60,7 +60,7 @@ class SwingTime:
 
     @cached_property
     def rounds(self) -> bool:
-        """Return whether it goes round."""
+        """Return whether the pendulum goes right round."""
         return self.book.values[self.modulus.name] > 1.0
 
     @cached_property
@@ -76,24 +76,24 @@ class SwingTime:
 
     @cached_property
     def complete(self) -> Symbol:
-        """K, the integral of a quarter of an oscillation, or of half a turn."""
+        """Write K, the complete integral of a quarter oscillation or a half turn, and return its symbol."""
         part = "from straight down to straight up" if self.rounds else "from the lowest point to a turning point"
         formula = CompleteElliptic(self._elliptic_modulus)
         return self._special(f"The complete integral, {part}, is", self.book.fresh("K"), formula, "")
 
     def _integral(self, angle: Symbol) -> Symbol:
-        """F(θ)."""
+        """Write the incomplete integral F(θ) and return its symbol."""
         said, formula = f"The integral up to ${angle.latex()}$ is", IncompleteElliptic(angle, self._elliptic_modulus)
         return self._special(said, self.book.fresh("u"), formula, "")
 
     def _amplitude(self, integral: Symbol) -> Symbol:
-        """Return the angle θ up to which the integral has a value."""
+        """Write the angle θ up to which the integral has a value and return its symbol."""
         said = f"The angle up to which the integral is ${integral.latex()}$ is"
         formula = Amplitude(integral, self._elliptic_modulus)
         return self._special(said, self.book.fresh(r"\psi"), formula, RADIANS)
 
     def _special(self, said: str, name: Symbol, formula: SpecialFunction, unit: str) -> Symbol:
-        """A step with a number that tables or a computer give; its name alone where it hangs on what is unknown."""
+        """Write the value of a special function, or only its symbol if it depends on the unknown; return that."""
         step = self.book.open("elliptic")
         told = step.result(name, formula, unit, law=True)
         step.say(f"{said} {f'${name.latex()}$' if self.book.is_hidden(formula) else told}.")
@@ -103,7 +103,7 @@ class SwingTime:
     # ---- an angle as a multiple of a half turn of θ, and the integral of what is left
 
     def _left(self, angle: Expression, value: float) -> Polynomial:
-        """F of the first angle θ ≥ 0 at which it is at an angle, of its size."""
+        """Return F of the magnitude of the first angle θ ≥ 0 at a given angle of the pendulum."""
         if abs(value) < NEAR:
             return NIL
         if self.rounds:
@@ -118,12 +118,12 @@ class SwingTime:
         return Polynomial.of(self._integral(theta))
 
     def _quarters(self, count: int) -> Polynomial:
-        """So many times K."""
+        """Return K times an integer."""
         return Polynomial.of(self.complete).scaled(float(count)) if count else NIL
 
     @cached_property
     def begins(self) -> Polynomial:
-        """The integral at the start."""
+        """Return the integral at the start."""
         if self.first == ZERO:
             return NIL
         if self.rate == ZERO:
@@ -134,7 +134,7 @@ class SwingTime:
         return left.scaled(-1.0) if self.rounds else self._quarters(2) - left
 
     def reaches(self, angle: Expression, time: float) -> Symbol:
-        """Write when it is at an angle, near a time."""
+        """Write the time near a given one at which the pendulum is at an angle and return its symbol."""
         value = self.book.value(angle)
         size = angle if value >= 0.0 else -angle
         left = self._left(size, abs(value))
@@ -149,7 +149,7 @@ class SwingTime:
         return self._after(self._quarters(2 * turns) + left.scaled(sign))
 
     def upright(self, time: float) -> Symbol:
-        """Write when it is at the lowest point, or turns back, or is at the top."""
+        """Write the time of a passage through the lowest or highest point, or of a turn; return its symbol."""
         quarter = self.book.values[self.complete.name]
         now = self.book.value(self.begins.expression()) + self.book.value(self.pace) * time
         count = round(now / quarter)
@@ -164,7 +164,7 @@ class SwingTime:
 
     @property
     def frequency(self) -> Symbol:
-        """Write the angular frequency of the whole motion: 4 K to and fro, 2 K once round."""
+        """Return the angular frequency of the whole motion: period 4 K per oscillation, 2 K per turn."""
         share = 1.0 if self.rounds else 0.5
         formula = Number(share) * PI * self.pace / self.complete
         quarter, rate = self.complete.latex(), self.natural.latex()
@@ -175,7 +175,7 @@ class SwingTime:
         return self.book.told("oscillation", said, self.book.fresh(r"\omega"), formula, ANGULAR_SPEED)
 
     def angle(self, time: Symbol) -> Symbol:
-        """Write the angle at a time."""
+        """Write the angle at a time and return its symbol."""
         _ = self.modulus
         begins, grown, name = self.begins.expression(), self.pace * time, self.book.fresh("u", "t")
         inward = self.way < 0.0 and not self.rounds and self.rate != ZERO
@@ -193,7 +193,7 @@ class SwingTime:
         return self.book.told("angle", said, self.book.fresh(r"\phi", "t"), formula, DEGREES)
 
     def _tell_turns(self, integral: Symbol) -> None:
-        """Write how often it has turned back by the time at which the integral has a value."""
+        """Write the number of turning points before the time at which the integral has a value."""
         if self.rounds or self.book.is_hidden(integral):
             return
         quarter, begun = self.book.value(self.complete), self.book.value(self.begins.expression())

@@ -1,1 +1,1 @@
-"""From a derivation to its text: names, units, steps and sentences."""
+"""The text of worked solutions: names, units, steps and sentences."""

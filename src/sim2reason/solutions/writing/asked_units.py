@@ -1,4 +1,4 @@
-"""A worked solution told for the text of a problem: in the units for which that asks."""
+"""Conversion of a worked solution to the units that the text of a problem asks for."""
 
 from dataclasses import replace
 
@@ -10,7 +10,7 @@ GIVEN = "Given: "
 
 
 def told_in(system: SpokenUnits, solution: Solution, unit: str) -> Solution:
-    """Worked out in the SI, and the answer, which is in `unit` there, converted at the end; a formula holds in any."""
+    """Return a solution computed in SI units whose answer, in `unit`, is converted at the end to the asked unit."""
     other, factor = system.spelled(unit)
     if solution.answer is None or solution.formula or not system.says_otherwise:
         return solution

@@ -1,7 +1,7 @@
-"""Which symbol stands for which number of a mechanism, found by a *generic twin*.
+"""Symbolic formulas for the numbers of a mechanism, found by comparison with a *generic twin*.
 
-Every number that the text says gets another value, and the mechanism is built again: a number of the mechanism that is
-a mass in both, or the sine of an angle in both, is that mass or sine. Entities need not say what they do with numbers.
+Each number that the text states is perturbed, and the mechanism is built again: a number of the mechanism that equals a
+mass in both, or the sine of an angle in both, is that mass or sine. Entities need not declare how they use parameters.
 """
 
 import math
@@ -31,29 +31,29 @@ from sim2reason.solutions.writing.number_sums import Named, sum_of_products
 from sim2reason.solutions.writing.unit_latex import latex
 from sim2reason.text.prose.symbol_names import factor
 
-SHIFT = 1e-3  # by how much, at most, numbers of the twin differ
-SAME = 1e-10  # relative: far less than two numbers can agree by chance
-TINY = 1e-9  # of what a text says: less belongs to atoms
-TRIES, ALIKE = 24, 4  # draws of numbers; of these, the first, in which all grow or all shrink
-LARGEST = 10_000  # the largest numerator of a number that is no accident
-TERMS = 2500  # products of several numbers that are tried
+SHIFT = 1e-3  # largest relative change of a number of the twin
+SAME = 1e-10  # relative tolerance, far below the distance of two numbers that agree by chance
+TINY = 1e-9  # size below which stated numbers are of atomic scale
+TRIES, ALIKE = 24, 4  # random draws of the twin's numbers; in the first few, all grow or all shrink
+LARGEST = 10_000  # largest numerator of a fraction that is not a coincidence
+TERMS = 2500  # largest number of products of several numbers that are tried
 
 
 class UnreadError(Exception):
-    """A number of the mechanism that is no simple function of what the text says."""
+    """A number of the mechanism that is not a simple function of the numbers in the text."""
 
 
 @record(slots=True)
 class StatedNumber:
-    """A number that the text says: its symbol, its value and unit as said, and its value in the mechanism."""
+    """A number in the text: its symbol, its parameter with value and unit, and its value in the mechanism."""
 
     symbol: str
     parameter: Parameter
-    value: float  # as the mechanism counts: angles in radians
+    value: float  # in the units of the mechanism: angles in radians
 
     @property
     def latex(self) -> str:
-        """The number as it is said, with its unit."""
+        """Return the number as the text states it, with its unit, in LaTeX."""
         measure, value = self.parameter.measure, self.parameter.value or 0.0
         if self.value != value and not self.angle:  # in the units that formulas need
             plain = f"{self.value:.12f}".rstrip("0").rstrip(".")
@@ -65,12 +65,12 @@ class StatedNumber:
 
     @property
     def unit(self) -> str:
-        """Its unit, in LaTeX."""
+        """Return the unit in the text, in LaTeX."""
         return latex(self.parameter.measure.unit)
 
     @property
     def counted_unit(self) -> str:
-        """Return the unit in which formulas count it, in LaTeX: without the prefix that the text may use."""
+        """Return the unit that formulas use, in LaTeX: without the prefix that the text may use."""
         unit = self.parameter.measure.unit
         if self.scale == 1.0 or self.angle:
             return self.unit
@@ -78,40 +78,40 @@ class StatedNumber:
 
     @property
     def scale(self) -> float:
-        """Return the factor by which a number of the text is multiplied where formulas count it."""
+        """Return the factor from the number in the text to the value in formulas."""
         return factor(self.parameter.measure.unit)
 
     @property
     def angle(self) -> bool:
-        """Return whether it is an angle in degrees."""
+        """Return whether the number is an angle in degrees."""
         return self.parameter.measure.unit == "deg"
 
 
 @record(slots=True)
 class Both:
-    """One number of a mechanism and of its twin."""
+    """The values of one number in a mechanism and in its twin."""
 
     here: float
     there: float
 
     def __mul__(self, other: "Both") -> "Both":
-        """Return both products."""
+        """Return the products in the mechanism and in its twin."""
         return Both(self.here * other.here, self.there * other.there)
 
     def __truediv__(self, other: "Both") -> "Both":
-        """Return both quotients."""
+        """Return the quotients in the mechanism and in its twin."""
         return Both(self.here / other.here, self.there / other.there)
 
     def __sub__(self, other: "Both") -> "Both":
-        """Return both differences."""
+        """Return the differences in the mechanism and in its twin."""
         return Both(self.here - other.here, self.there - other.there)
 
 
 class Lexicon:
-    """A scene, its mechanism and its twin's, and what their numbers are called."""
+    """The symbols of a scene's stated numbers, and formulas for all numbers of its mechanism."""
 
     def __init__(self, scene: Scene, symbols: Mapping[str, str]) -> None:
-        """`symbols` are those of the text, by address. UnreadError if no twin can be built."""
+        """Take the text's `symbols` by address, and build a twin; raise UnreadError if none can be built."""
         self.scene, self.mechanism = scene, scene.mechanism
         self.givens = {
             p.path: StatedNumber(symbols[p.path], p, _counted(p, p.value))
@@ -124,11 +124,11 @@ class Lexicon:
 
     @property
     def twin(self) -> Mechanism:
-        """The mechanism of the twin."""
+        """Return the mechanism of the twin."""
         return self._twin[0]
 
     def _built(self) -> tuple[Mechanism, dict[str, float]]:
-        """Return the twin and its numbers, those of the mechanism's own count."""
+        """Return the mechanism of the twin and its stated numbers by path, in the units of the mechanism."""
         for attempt in range(TRIES):
             rng = np.random.default_rng(attempt)
             side = -SHIFT if attempt % 2 == 0 else SHIFT
@@ -160,7 +160,7 @@ class Lexicon:
         return [*found, *self._attracting()]
 
     def _attracting(self) -> list[tuple[Both, Polynomial]]:
-        """Return the constant of gravitation; with a planet's g the mass is g R²/G, so that it cancels."""
+        """Return the gravitational constant; for a planet of given g also 1/G, as its mass is g R²/G."""
         pulls = self.mechanism.attractions
         if not pulls:
             return []
@@ -170,7 +170,7 @@ class Lexicon:
 
     @cached_property
     def constant(self) -> float | None:
-        """The constant of gravitation, where the text says the masses of all that attracts."""
+        """Return the gravitational constant if the text states the masses of attracting bodies, else None."""
         pulls, heavy = self.mechanism.attractions, [given.value for given in self.givens.values()]
         return pulls[0].constant if pulls and self.mechanism.body[pulls[0].b].mass in heavy else None
 
@@ -189,7 +189,7 @@ class Lexicon:
         return self.read(Both(float(number(self.mechanism)), float(number(self.twin))))
 
     def read(self, number: Both) -> Polynomial:
-        """Return a number as 0, a simple fraction, or one times a given number, a product of two or a sum of such."""
+        """Return a formula for a number: zero, a fraction, a given number, a product or a sum of products of those."""
         known = self._read.get(number)
         if known is None:
             known = self._read[number] = self._searched(number)
@@ -197,7 +197,7 @@ class Lexicon:
 
     @cached_property
     def _nothing(self) -> float:
-        """Return the size below which a number counts as zero; less than usual if some given numbers are tiny."""
+        """Return the size below which a number counts as zero; smaller if some given numbers are tiny."""
         least = min((abs(given.value) for given in self.givens.values() if given.value), default=1.0)
         return SAME if least >= TINY else SAME * least**2
 
@@ -231,7 +231,7 @@ class Lexicon:
         return self._of_several(number)
 
     def _of_several(self, number: Both) -> Polynomial:
-        """Return a product of three or four, such as m g R² of a planet."""
+        """Return a number as a product of three or four, such as m g R² of a planet."""
         for size in (3, 4):
             if comb(len(self._atoms) + size - 1, size) > TERMS:
                 break
@@ -245,7 +245,7 @@ class Lexicon:
         return found
 
     def _of_sums(self, number: Both) -> Polynomial | None:
-        """Return a number as a total mass times others or a sum of two products; kept, since the search is slow."""
+        """Return a number as a total mass times others or a sum of two products; cached, since the search is slow."""
         if number not in self._sums:
             atoms = [Named(atom.here, atom.there, name) for atom, name in self._atoms]
             masses = [Symbol(g.symbol) for g in self.givens.values() if g.counted_unit == latex("kg")]
@@ -255,7 +255,7 @@ class Lexicon:
 
 
 def _counted(parameter: Parameter, value: float) -> float:
-    """In the mechanism's own count: that of the text, but for degrees, kilometres and other such parts."""
+    """Return a value of the text in the units of the mechanism: without prefixes, angles in radians."""
     return value * factor(parameter.measure.unit)
 
 
@@ -267,7 +267,7 @@ def _is_word(scene: Scene, parameter: Parameter) -> bool:
 
 
 def _factor(number: Both, atom: Both) -> float | None:
-    """Return the simple fraction by which a number is an atom, in both mechanisms; None for none."""
+    """Return the simple fraction that relates a number to an atom in both mechanisms; None if there is none."""
     if atom.here == 0.0 or atom.there == 0.0:
         return None
     here, there = number.here / atom.here, number.there / atom.there

@@ -1,4 +1,4 @@
-"""Steps that say the same of several names, in one sentence: *After it, this is so, and that*."""
+"""The merging of steps with equal sentences into one: *After it, v = 2 m/s and s = 1 m*."""
 
 import re
 from collections.abc import Sequence
@@ -8,16 +8,16 @@ from sim2reason.solutions.setting import joined
 from sim2reason.solutions.solution import Step
 
 BEGIN = frozenset({"other value", "names"})
-"""The kinds of steps that begin a second case or name new unknowns; what follows does not stand before them."""
+"""Kinds of steps that begin a second case or name new unknowns; later steps are not moved before them."""
 SENTENCE = re.compile(r"(?P<lead>((At|After the time|In the time) \$[^$]*\$)?[^$]*) (?P<formulas>\$[^$]*\$)\.")
 
 SINGULAR_PLURAL = "the displacement is", "the displacements are"
 
 
 def merged(steps: Sequence[Step]) -> list[Step]:
-    """Steps of one like sentence as one step where the first of them stands, which rests on all that the others do."""
+    """Return steps in which those with like sentences form one step at the position of the first."""
     groups: list[list[Step]] = []
-    place: dict[int, int] = {}  # by the number of a step, that of the one with which it stands
+    place: dict[int, int] = {}  # from the number of a step to that of the step with which it is merged
     start = 0
     for step in steps:
         start = len(groups) if step.kind in BEGIN else start
@@ -31,9 +31,9 @@ def merged(steps: Sequence[Step]) -> list[Step]:
 
 
 def _alike(first: Step, other: Step, *, follows: bool) -> bool:
-    """Return whether a later step can stand with an earlier one: it says the same, of what is known by then.
+    """Return whether a later step can be merged with an earlier one: same sentence, from the same known names.
 
-    A step that `follows` directly may rest on all that is known by then; another one on no more than the earlier one.
+    A step that `follows` directly may use all earlier results; another one no more than the first step does.
     """
     one, two = SENTENCE.fullmatch(first.text), SENTENCE.fullmatch(other.text)
     said = one is not None and two is not None and one["lead"] == two["lead"]
@@ -45,7 +45,7 @@ def _alike(first: Step, other: Step, *, follows: bool) -> bool:
 
 
 def _said(group: Sequence[Step]) -> Step:
-    """Steps with one lead: that, and the formulas of all."""
+    """Return steps with equal leads as one step with all their formulas."""
     if len(group) == 1:
         return group[0]
     matches = [match for step in group if (match := SENTENCE.fullmatch(step.text)) is not None]
@@ -54,7 +54,7 @@ def _said(group: Sequence[Step]) -> Step:
 
 
 def together(group: Sequence[Step], text: str) -> Step:
-    """Several steps as one with a text of its own, where the first of them stands."""
+    """Return several steps as one with a text of its own and the number of the first."""
     return replace(
         group[0],
         text=text,

@@ -1,4 +1,4 @@
-"""Numbers of a mechanism that are sums: a total mass times others, or two products of what the text says."""
+"""Formulas for numbers of a mechanism that are sums: a total mass times others, or two products."""
 
 from collections.abc import Sequence
 from itertools import combinations, combinations_with_replacement
@@ -10,16 +10,16 @@ import numpy as np
 from sim2reason.scenes.dsl.state import Array
 from sim2reason.solutions.algebra.polynomials import Polynomial, total
 
-SAME = 1e-10  # relative: far less than two numbers can agree by chance
+SAME = 1e-10  # relative tolerance, far below the distance of two numbers that agree by chance
 COMMON = frozenset(sign * whole / part for sign in (1, -1) for whole in (1, 2, 3) for part in (1, 2, 3, 4, 5, 6, 12))
-"""The factors that products may have in a sum, as in the moment of inertia of a tube, ½ m (R² + r²)."""
-FACTORS = 3  # of a product, at most
-PRODUCTS = 600  # of which pairs are looked at
-APART = 1e-6  # relative: products that differ less with other numbers are no two
+"""Coefficients of products in a sum, as in the moment of inertia of a tube, ½ m (R² + r²)."""
+FACTORS = 3  # largest number of factors of a product
+PRODUCTS = 600  # largest number of products whose pairs are tried
+APART = 1e-6  # relative tolerance within which products in mechanism and twin are proportional
 
 
 class Named(NamedTuple):
-    """A number of the mechanism and of its twin, and what it is called."""
+    """A number in a mechanism and in its twin, with its formula."""
 
     here: float
     there: float
@@ -27,9 +27,9 @@ class Named(NamedTuple):
 
 
 def sum_of_products(here: float, there: float, masses: Sequence[Named], atoms: Sequence[Named]) -> Polynomial | None:
-    """Return a number of a mechanism, and `there` of its twin, as a sum; None if it is none.
+    """Return a number, with its value `there` in the twin, as a sum of products; None if it is none.
 
-    `masses` may be added up before they are multiplied by two `atoms`; those are all that the text says.
+    `masses` may be added up before they are multiplied by two `atoms`, the numbers of the text.
     """
     products = [*_products(atoms)]
     found = _of_totals(here, there, masses, [held for held in products if len(held) < FACTORS])
@@ -49,7 +49,7 @@ def _products(atoms: Sequence[Named]) -> list[tuple[Named, ...]]:
 def _of_totals(
     here: float, there: float, masses: Sequence[Named], products: Sequence[tuple[Named, ...]]
 ) -> Polynomial | None:
-    """Return it as a sum of masses times a product of at most two numbers."""
+    """Return a number as a sum of masses times a product of at most two numbers; None if it is none."""
     ones, others = _values([*products])
     for size in range(2, len(masses) + 1):
         for held in combinations(masses, size):
@@ -65,7 +65,7 @@ def _of_totals(
 
 
 def _of_pairs(here: float, there: float, products: Sequence[tuple[Named, ...]]) -> Polynomial | None:
-    """Return it as a sum of two products with simple factors, which the two values determine."""
+    """Return a number as a sum of two products with simple coefficients; None if it is none."""
     ones, others = _values(products)
     det = ones[:, None] * others[None, :] - ones[None, :] * others[:, None]
     near = np.abs(det) <= APART * np.abs(ones[:, None] * others[None, :])
@@ -84,7 +84,7 @@ def _of_pairs(here: float, there: float, products: Sequence[tuple[Named, ...]]) 
 
 
 def _nearest(values: Array) -> Array:
-    """Return the common factors that values are, but for rounding; NaN where they are none."""
+    """Return the common coefficients nearest to values, shape (n, n); NaN where none agrees."""
     common = np.array(sorted(COMMON))
     after = np.clip(np.searchsorted(common, values), 1, len(common) - 1)
     above, below = common[after], common[after - 1]

@@ -1,4 +1,4 @@
-"""Roots that are found numerically, told by their equations where those hang on what is unknown."""
+"""Sentences about roots that are found numerically, or about their equations if these contain the unknown."""
 
 from collections.abc import Sequence
 
@@ -8,17 +8,17 @@ from sim2reason.solutions.algebra.inverse import solved_for
 from sim2reason.solutions.setting import joined
 from sim2reason.solutions.writing.steps import Book, Writing
 
-LONG = 160  # characters of a formula that is better not written
+LONG = 160  # maximum length of the LaTeX of a formula that is written out
 NamedRoot = tuple[Symbol, Expression, float]
-"""What a root is called, the formula that vanishes there, and a number near it."""
+"""The symbol of a root, the formula that vanishes there, and a number near it."""
 SMALLEST = "The smallest positive solution, found numerically, is"
 
 
 def told_root(book: Book, step: Writing, name: Symbol, residual: Expression, near: float, unit: str, said: str) -> str:
-    """Return a sentence with the number near `near` at which a formula vanishes, as a value of the name in it.
+    """Return a sentence that gives the root of a formula near a number as the value of a name.
 
-    Where the equation can be solved, the formula of the root, without what `said` announces. Else, where the formula
-    hangs on what is unknown, nothing: the equation, which was told, holds the name.
+    If the equation has a short solution, the sentence gives its formula without the words `said`. Otherwise, if the
+    formula depends on the unknown, the sentence is empty: the equation, which was stated, defines the name.
     """
     closed = solved_for(name.name, residual, ZERO, {**book.values, name.name: near})
     if not isinstance(closed, NumericRoot) and len(closed.latex()) <= LONG:
@@ -27,7 +27,7 @@ def told_root(book: Book, step: Writing, name: Symbol, residual: Expression, nea
 
 
 def told_roots(book: Book, step: Writing, roots: Sequence[NamedRoot], unit: str, said: str) -> str:
-    """Return the same of several at once, one after the other."""
+    """Return a sentence with the numerical roots of several formulas, one after the other; empty if unknown."""
     told, hidden = list[str](), False
     for name, residual, near in roots:
         hidden = hidden or not book.hidden.isdisjoint(residual.symbols())

@@ -1,4 +1,4 @@
-"""A book in which each name has one value, and into which a worked solution is written step by step."""
+"""The builder of worked solutions: each name has one value, and steps are written one by one."""
 
 from collections.abc import Callable, Mapping, Sequence
 from copy import copy
@@ -13,15 +13,15 @@ from sim2reason.solutions.solution import CHECKS, Integration, Phase, Relation, 
 from sim2reason.solutions.writing.subscripts import FreshNames, Labels
 from sim2reason.solutions.writing.unit_latex import CANONICAL, DEGREES, latex
 
-STATE_DIGITS = 8  # of numbers on which an integration rests
+STATE_DIGITS = 8  # digits of numbers from which an integration starts
 
 
 class UnsolvedError(Exception):
-    """A strategy found that it cannot answer after all; the message says why."""
+    """An error that ends a strategy that finds no answer; the message states why."""
 
 
 class Book(FreshNames):
-    """Names with their values, and steps as they are written."""
+    """A builder of a solution: names with their values, and the steps written so far."""
 
     def __init__(
         self,
@@ -33,8 +33,8 @@ class Book(FreshNames):
     ) -> None:
         """Make an empty book with results in `units`; `asks` is the unit of the number of a moment that is asked for.
 
-        With `called`, it is in symbols: no number is written, and given numbers have the names that it maps theirs to.
-        No result may need more than `most`.
+        With `called`, the solution is in symbols: no number is written, and given numbers have names from that mapping.
+        The mathematics of a result may not exceed `most`.
         """
         super().__init__(called)
         self.most, self._units, self.asks = most, units, asks
@@ -67,16 +67,16 @@ class Book(FreshNames):
         return found
 
     def saved(self) -> dict[str, object]:
-        """Return all that is known and written: with `vars(book).update(…)` it is so again."""
+        """Return a copy of the state of the builder; `vars(book).update(…)` restores it."""
         return {name: copy(value) for name, value in vars(self).items()}
 
     @property
     def last(self) -> str:
-        """The name that was given a value last."""
+        """Return the name that was given a value last."""
         return next(reversed(self.values))
 
     def know(self, name: str, value: float, unit: str = "") -> None:
-        """Give a name its value; a second one is a programmer's error."""
+        """Store the value of a name; raise ValueError if it has another value already."""
         if name in self.values and self.values[name] != value:
             raise ValueError(f"{name} has two values, {self.values[name]:g} and {value:g}")
         self.values[name], self.units[name] = value, unit
@@ -92,24 +92,24 @@ class Book(FreshNames):
             self.stated[name] = f"{degrees(value) if unit == DEGREES else value:g}{unit}"
 
     def state(self, name: str, value: float, spelled: str) -> None:
-        """Make a name that was written one that is given, in the words of the question."""
+        """Turn a computed name into a given one, with its value as spelled in the question."""
         self.hidden.discard(name)
         self.values[name], self.stated[name] = value, spelled
 
     def refresh(self, name: str, value: float) -> None:
-        """Give the unknown a better value, and all that hangs on it."""
+        """Store a better value of the unknown, and recompute all names that depend on it."""
         self.values[name] = value
         for other, formula in self.formulas.items():
             if other not in self.stated:
                 self.values[other] = self.value(formula)
 
     def check_need(self, formula: Expression) -> None:
-        """Raise UnsolvedError for a formula that needs more than this solution may."""
+        """Raise UnsolvedError for a formula whose mathematics is too advanced for this solution."""
         if self.most < Need.INTEGRATION and (need := need_of(formula)) > self.most:
             raise UnsolvedError(f"it needs more: {need.label}")
 
     def value(self, held: Expression, at: Mapping[str, float] | None = None) -> float:
-        """Return the value of a formula, with known values or those of `at`; UnsolvedError if it has none."""
+        """Return the value of a formula, with known values or those of `at`; raise UnsolvedError if it has none."""
         try:
             found = held.value(self.values if at is None else at)
         except (ValueError, ArithmeticError) as error:  # the root of what is negative, a division by zero
@@ -118,22 +118,22 @@ class Book(FreshNames):
         return found
 
     def unit_in_text(self, unit: str) -> str:
-        """Return a unit of the SI, in LaTeX, as the text of this scene has it."""
+        """Return an SI unit, in LaTeX, in the unit system of the text."""
         name = CANONICAL.get(unit)
         return unit if name is None or self._units == SI else latex(self._units.spell(name))
 
     @property
     def counts_in_si(self) -> bool:
-        """Return whether results are in units of the SI, without prefixes."""
+        """Return whether results are in SI units without prefixes."""
         return self._units == SI
 
     @property
     def in_symbols(self) -> bool:
-        """Return whether no number may be written."""
+        """Return whether the solution is in symbols, without numbers."""
         return self._called is not None
 
     def is_hidden(self, held: Expression) -> bool:
-        """Return whether the value of a formula may not be written, as it is unknown, or all is in symbols."""
+        """Return whether the value of a formula may not be written: it is unknown, or the solution is in symbols."""
         return self.in_symbols or not self.hidden.isdisjoint(held.symbols())
 
     def magnitude(self, formula: Expression) -> Expression:
@@ -141,27 +141,27 @@ class Book(FreshNames):
         return formula if self.value(formula) > 0.0 else -formula
 
     def worked(self, formula: Expression) -> Expression:
-        """Return a formula of which the number alone is written, unless that hangs on what is unknown."""
+        """Return a formula to be written as a number only, or unchanged if it depends on the unknown."""
         return formula if self.is_hidden(formula) else Worked(formula, self.value(formula))
 
     def rewrite(self, begun: int, steps: Sequence[Step]) -> None:
-        """Put other steps in place of those from a number on, which have the numbers that follow."""
+        """Replace all steps from a number on by other steps, which have consecutive numbers."""
         self.steps[begun:] = steps
         self._source = {name: step.id for step in self.steps for name in step.gives}
 
     def begin_phase(self, begins: str, ends: str) -> None:
-        """Let the steps from now on belong to another phase of the motion."""
+        """Assign the following steps to a new phase of the motion."""
         self.phases.append(Phase(begins, ends))
         self.phase = len(self.phases) - 1
 
     def open(self, kind: str) -> "Writing":
-        """Begin a step."""
+        """Begin a step of a kind."""
         return Writing(self, kind)
 
     def told(
         self, kind: str, said: str, name: Symbol, formula: Expression, unit: str = "", *, rests: str = ""
     ) -> Symbol:
-        """Return a step of one sentence that ends with a law by itself and `rests` on a label; gives back the name."""
+        """Write a step of one sentence that ends with a law and `rests` on a label, and return the name."""
         step = self.open(kind)
         step.rest_on(rests)
         step.say(f"{said} {step.result(name, formula, unit, law=True)}.")
@@ -177,7 +177,7 @@ class Book(FreshNames):
         rests: list[str],
         integration: Integration | None = None,
     ) -> Step:
-        """Keep a step."""
+        """Append a step with its relations and results, and return it."""
         number = len(self.steps)
         self._source.update(dict.fromkeys(gives, number))
         worked = (relation for relation in relations if relation.role in ("result", *CHECKS))
@@ -190,40 +190,40 @@ class Book(FreshNames):
 
 
 class Writing:
-    """A step in the making: sentences are said, and equations in them noted."""
+    """A step under construction, to which sentences and relations are added."""
 
     def __init__(self, book: Book, kind: str) -> None:
-        """Nothing is said yet."""
+        """Begin an empty step of a kind."""
         self._book, self._kind = book, kind
         self._said: list[str] = []
-        self.relations: list[Relation] = []  # those that were noted so far
+        self.relations: list[Relation] = []  # recorded so far
         self._gives: list[str] = []
         self._rests: list[str] = []
         self._integration: Integration | None = None
 
     def label(self, name: str) -> None:
-        """Name an equation of this step, so that others can rest on it."""
+        """Record the label of an equation in this step, so that later steps can depend on it."""
         self._gives.append(name)
 
     def rest_on(self, label: str) -> None:
-        """Use an equation by its label."""
+        """Record that this step uses the equation with a label."""
         if label:
             self._rests.append(label)
 
     def say(self, *sentences: str) -> None:
-        """Add sentences."""
+        """Append sentences to the text of the step."""
         self._said.extend(sentence for sentence in sentences if sentence)
 
     def law(self, left: Expression, right: Expression) -> str:
-        """Return a law that is told, in LaTeX with dollars."""
+        """Record a law and return it in LaTeX with dollars."""
         return self._noted(Relation(left, right, "law"))
 
     def derived(self, left: Expression, right: Expression) -> str:
-        """Return an equation that follows from what was told, in LaTeX with dollars."""
+        """Record an equation that follows from earlier ones, and return it in LaTeX with dollars."""
         return self._noted(Relation(left, right, "derived"))
 
     def result(self, name: Symbol, formula: Expression, unit: str, *, law: bool = False) -> str:
-        """Return a name and what it comes to; with `law`, the formula is a law by itself, as v = a t is."""
+        """Record a result and return it in LaTeX; with `law`, the formula is itself a law, such as v = a t."""
         self._book.check_need(formula)
         unit = self._book.unit_in_text(unit)
         relation = Relation(name, formula, "law" if law else "result", unit)
@@ -236,7 +236,7 @@ class Writing:
         return relation.latex(None if self._book.is_hidden(formula) else value)
 
     def verified(self, what: Expression, formula: Expression, unit: str) -> str:
-        """State the value of a formula that only checks an assumption; the book keeps that of a new name for others."""
+        """Record and return the value of a formula that only checks an assumption, in LaTeX."""
         relation = Relation(what, formula, "verified", self._book.unit_in_text(unit))
         value = self._book.value(formula, {**self._book.observed, **self._book.values})
         self.relations.append(relation)
@@ -245,7 +245,7 @@ class Writing:
         return relation.latex(None if self._book.is_hidden(formula) else value)
 
     def integrate(self, integration: Integration) -> None:
-        """State an initial-value problem; the values at its end are known to the book already."""
+        """Record an initial-value problem whose final values the builder knows already."""
         self._integration = integration
         self._gives += [name for _, name in integration.ends]
 
@@ -260,27 +260,27 @@ class Writing:
         return f"${formula.latex()} = {with_unit(value, unit)}$"
 
     def defined(self, name: Symbol, formula: Expression) -> str:
-        """Return a law that gives a name, whose value the book knows already, as a formula."""
+        """Record and return a law that defines a name whose value is known already, in LaTeX."""
         relation = Relation(name, formula, "law", self._book.units[name.name])
         self.relations.append(relation)
         self._gives.append(name.name)
         return relation.latex(self._book.values[name.name])
 
     def trial(self, name: Symbol) -> str:
-        """Return the value of an unknown that is found by trial: the result that is given determines it."""
+        """Record and return the value of an unknown found by trial, in LaTeX; the given result determines it."""
         value, unit = self._book.values[name.name], self._book.units[name.name]
         self.relations.append(Relation(name, Number(value), "trial", unit))
         self._gives.append(name.name)
         return f"${name.latex()} = {with_unit(value, unit, STATE_DIGITS)}$"
 
     def given_result(self, name: Symbol, value: float) -> str:
-        """Return the equation by which a result that the question gives determines the unknown."""
+        """Record and return the equation by which a given result determines the unknown, in LaTeX."""
         relation = Relation(name, Number(value), "condition", self._book.units[name.name])
         self.relations.append(relation)
         return f"${name.latex()} = {with_unit(value, relation.unit)}$"
 
     def closed(self, name: Symbol, formula: Expression) -> str:
-        """Return the value of a symbol that was unknown till now, in LaTeX with dollars."""
+        """Record and return the value of a symbol that was unknown until now, in LaTeX with dollars."""
         self._book.check_need(formula)
         unit = self._book.units[name.name]
         relation = Relation(name, formula, "result", unit)
@@ -294,7 +294,7 @@ class Writing:
         return relation.latex()
 
     def close(self) -> None:
-        """Keep it, if it says anything."""
+        """Append the step to the builder, unless it is empty."""
         if self._said or self.relations or self._integration:
             text = " ".join(self._said)
             self._book.close(self._kind, text, self.relations, self._gives, self._rests, self._integration)

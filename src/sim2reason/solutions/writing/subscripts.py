@@ -1,4 +1,4 @@
-"""Names in LaTeX with subscripts, unused names, and labels of equations."""
+"""LaTeX names with subscripts, unused names, and labels of equations."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -9,13 +9,13 @@ from sim2reason.solutions.algebra.expressions import Symbol
 
 
 def subscript(name: str) -> str:
-    """Return what stands below a name, without its braces; empty for nothing."""
+    """Return the subscript of a name, without its braces; empty for none."""
     inner = name.partition("_")[2]
     return inner[1:-1] if inner.startswith("{") else inner
 
 
 def marked(base: str, mark: str) -> str:
-    """Return a name with a subscript, added to the one that it may have."""
+    """Return a name with a subscript, appended to the one that it may have."""
     if not mark:
         return base
     inner = subscript(base)
@@ -31,9 +31,9 @@ def split(name: str) -> tuple[str, str]:
 
 
 def numbered(name: str) -> Iterator[str]:
-    """Yield the further names for what a name is taken for: t₁, t₂ for t; m₂, m₃ for m₁; s_{x,2} for s_{x,1}.
+    """Yield names with the next numbers as subscripts: t₁, t₂ for t; m₂, m₃ for m₁; s_{x,2} for s_{x,1}.
 
-    A number alone below a name is followed by the next one, never by a second number.
+    A subscript that is a number is incremented; no second number is appended.
     """
     base, mark = split(name)
     rest, _, last = mark.rpartition(",")
@@ -53,15 +53,15 @@ MOST_PRIMES = 3
 
 
 class FreshNames:
-    """The allocation of names: each is given to one value only."""
+    """An allocator of names that gives each name to one value only."""
 
     def __init__(self, called: Mapping[str, str] | None = None) -> None:
-        """Start with no name taken; `called` maps names that would be chosen to those of the text."""
+        """Start with no name taken; `called` maps chosen names to those of the text."""
         self._called = called
         self._taken: set[str] = set()
 
     def reserve(self, *names: str) -> None:
-        """Keep names from being given to something else."""
+        """Exclude names from later allocation."""
         self._taken.update(map(canonical, names))
 
     def fresh(self, base: str, mark: str = "") -> Symbol:
@@ -90,6 +90,6 @@ class Labels:
     used: int = 0
 
     def next(self) -> str:
-        """Return the next number in parentheses; letters are labels of the parts of a problem."""
+        """Return the next label, a number in parentheses; letters label the parts of a problem."""
         self.used += 1
         return f"({self.used})"

@@ -11,7 +11,7 @@ MICRO = "\N{MICRO SIGN}"
 
 
 def latex(unit: str) -> str:
-    """Return a unit in LaTeX with the space before it, the words upright; nothing for a pure number."""
+    """Return a unit in LaTeX, upright and with the space before it; empty for a dimensionless number."""
     if unit == "deg":
         return DEGREES
     if unit.startswith("1/"):
@@ -23,7 +23,7 @@ def latex(unit: str) -> str:
 
 
 def unit_of(text: str) -> str:
-    """Return the unit with which a text in LaTeX ends; empty for none."""
+    """Return the unit at the end of a LaTeX text; empty if there is none."""
     if text.endswith(DEGREES):
         return "deg"
     found = re.search(r"(?:\\ )?((?:\\text\{[^{}]*\}(?:\^\d)?)+)(?:\^\{-(\d)\})?$", text)
@@ -42,7 +42,7 @@ PER_SECOND_SQUARED = latex("1/s^2")
 
 LENGTHS = "m", "m^2", "m/s", "m/s^2", "m^2/s", "m^3/s^2"
 MECHANICAL = (*LENGTHS, "s", "kg", "N", "J", "N s", "J s", "kg m/s", "1/s", "rad/s")
-CANONICAL = {latex(name): name for name in MECHANICAL}  # by their LaTeX
+CANONICAL = {latex(name): name for name in MECHANICAL}  # unit by its LaTeX
 
 
 LETTERS = {
@@ -83,7 +83,7 @@ LETTERS = {
     "velocity": "v",
     "work of a tension": "W",
 }
-"""By quantity, or by functional where that is not one of a quantity."""
+"""Letters by quantity, or by functional if that is not the extreme value of a quantity."""
 
 
 def unit_of_quantity(name: str) -> str:
@@ -93,7 +93,7 @@ def unit_of_quantity(name: str) -> str:
 
 
 def of_magnitude(said: str, quantity: str) -> str:
-    """Reword the text before a formula, such as *The momentum is*, so that its subject is the magnitude of a vector.
+    """Return words such as *The momentum is*, reworded so that the magnitude of the vector is the subject.
 
     Text that does not name `quantity` is replaced; text about a scalar is unchanged.
     """
